@@ -2,6 +2,7 @@
 
 #include "files/file.h"
 #include "files/key_list.h"
+#include "impact_laws/rims_in_series.h"
 #include "scene/keys.h"
 #include "scene/rim_identity.h"
 #include <algorithm>
@@ -38,6 +39,7 @@ struct Element {
   std::map<std::string, std::string> values; ///< key -> TOML value
   std::string rim;                           ///< identity of the rim it was fitted to; empty: not said
   std::optional<double> capacity;            ///< where the element begins [m]
+  int rims = 1;                              ///< that it is the law of, in series
   StackTerms stack;
 
   [[noreturn]] void fail(const std::string &what) const {
@@ -95,6 +97,7 @@ void read_answer(const json &answer, Element &element) {
   if (const json &rim = member(answer, "rim_identity"); rim.is_string()) element.rim = rim.get<std::string>();
   if (!element.rim.empty()) element.values["fitted_rim"] = toml_quoted(element.rim);
   read_stack(member(answer, "stack"), element);
+  if (const json &rims = member(answer, "rims_in_series"); rims == 2) element.rims = 2;
 }
 
 /// [reduced] of calibration.toml, the element's keys alone.
@@ -176,6 +179,26 @@ void place(Element &element, const Bearing &bearing) {
   if (std::abs(offset) > rounding) element.values["capacity_offset_mm"] = fmt::format("{}", 1e3 * offset);
 }
 
+/// The rigid-body models have each rim by itself.
+void take_one_rim(const TomlFile &file, Element &element) {
+  const auto *model = file.find("reduced.model");
+  const bool by_rim = model && model->is_string() && model->as_string()->get() != word(ModelKind::physical);
+  if (element.rims == 1 || !by_rim) return;
+  TomlFile values("", element.origin);
+  for (const auto &[key, value] : element.values) values.set("reduced." + key + "=" + value, element.origin);
+  Scene scene;
+  TomlReader reader(values, "");
+  visit_settings(reader, scene);
+  const auto one = laws::one_in_series(*scene.reduced.impact_law, scene.reduced, element.rims);
+  if (!one)
+    throw InputError(fmt::format("{}: its law {} is that of two rims in series, and of one alone it is no law of that "
+                                 "form: reduced.model {} needs law elastoplastic, or one of a spring and a dashpot",
+                                 element.origin, scene.reduced.impact_law->name, model->as_string()->get()));
+  element.values["k_i_kN_per_m"] = fmt::format("{}", one->k_i / 1e3);
+  element.values.erase("capacity_offset_mm");
+  element.values.erase("fitted_rim"); // the plates are told by other keys
+}
+
 } // namespace
 
 const std::vector<std::string> &element_keys() {
@@ -212,6 +235,7 @@ TakenTerms adopt_calibration(TomlFile &file, const std::string &folder, const Be
       fs::absolute(fs::path(folder) / node->as_string()->get(), ignored).lexically_normal().string();
   Element element = remembered_element(path);
   place(element, bearing);
+  take_one_rim(file, element);
   element.values["taken_from"] = toml_quoted(path);
   std::vector<std::string> replaced;
   for (const auto &key : element_keys()) {

@@ -224,6 +224,7 @@ json to_json(const Answer &a) {
           {"source", a.source()},
           {"law", law_json(a.law, a.scene)},
           {"table", table},
+          {"rims_in_series", a.scene.bearing.dishes()},
           {"pair_law", a.pair_law},
           {"pair", a.pair ? pair_json(*a.pair) : json(nullptr)},
           {"no_pair", text_or_null(a.no_pair)},

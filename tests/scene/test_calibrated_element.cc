@@ -160,6 +160,35 @@ TEST(CalibratedElement, AnotherRimOrMassIsDoubted) {
             1u);
 }
 
+/// As a calibration of two dishes writes it.
+std::string of_two_rims(const std::string &law, const std::string &numbers) {
+  std::string json = answer(law, numbers, "rim", "");
+  json.insert(json.find("\"bearing\""), "\"rims_in_series\": 2, ");
+  return json;
+}
+
+TEST(CalibratedElement, OfTwoRimsInSeriesARigidBodyModelTakesOne) {
+  const Folder folder(of_two_rims("elastoplastic", element));
+  const Scene both = load_scene("impact-window", {folder.cal(), "bearing.name=dcfp-155"});
+  EXPECT_DOUBLE_EQ(both.reduced.k_i, 986665e3);
+  const Scene one = load_scene("lir-dcfp-specimen", {folder.cal(), "reduced.model=dcfp"});
+  EXPECT_DOUBLE_EQ(one.reduced.k_i, 2 * 986665e3);
+  EXPECT_DOUBLE_EQ(one.reduced.yield_force, 814.07e3);
+  // The same force, each rim pressed half as deep.
+  const auto pair = both.reduced.element(1e5), rim = one.reduced.element(1e5);
+  EXPECT_NEAR(rim.trial({.d = 3e-3, .rate = 0.1, .deepest = 2e-3}) /
+                  pair.trial({.d = 6e-3, .rate = 0.2, .deepest = 4e-3}),
+              1, 1e-12);
+}
+
+TEST(CalibratedElement, ALawThatOneRimHasNotIsRefused) {
+  const Folder folder(
+      of_two_rims("hunt-crossley", R"({"reference_speed_m_per_s": 0.5, "k_i": {"value": 9e5, "unit": "kN/m"},
+    "e": {"value": 0.5, "unit": "-"}, "impact_exponent": {"value": 1.5, "unit": "-"}})"));
+  expect_error<InputError>([&] { load_scene("lir-dcfp-specimen", {folder.cal()}); },
+                           {"two rims in series", "hunt-crossley"});
+}
+
 TEST(CalibratedElement, WithoutAnAnswerTheFragmentIsRead) {
   const Folder folder("{\"parameters\": {}}");
   folder.write("cal/calibration.toml", "# fitted\n[reduced]\nmodel = \"physical\"\nk_i_kN_per_m = 2.5e5\nrestitution = "
