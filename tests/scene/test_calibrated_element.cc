@@ -184,7 +184,7 @@ TEST(CalibratedElement, OfTwoRimsInSeriesARigidBodyModelTakesOne) {
 TEST(CalibratedElement, ALawThatOneRimHasNotIsRefused) {
   const Folder folder(
       of_two_rims("hunt-crossley", R"({"reference_speed_m_per_s": 0.5, "k_i": {"value": 9e5, "unit": "kN/m"},
-    "e": {"value": 0.5, "unit": "-"}, "impact_exponent": {"value": 1.5, "unit": "-"}})"));
+    "e": {"value": 0.5, "unit": "-"}, "exponent": {"value": 1.5, "unit": "-"}})"));
   expect_error<InputError>([&] { load_scene("lir-dcfp-specimen", {folder.cal()}); },
                            {"two rims in series", "hunt-crossley"});
 }
