@@ -46,7 +46,7 @@ namespace {
 /// middle: mu_e = 2 R mu / R_eff between two dishes, 1 on one.
 double arm_of_faces(const Scene &scene) {
   const Bearing &b = scene.bearing;
-  return scene.double_concave() || !b.double_concave() ? 1.0 : b.dishes() * b.surface.R0 / b.ridden_surface().R0;
+  return scene.rigid_bodies() || !b.double_concave() ? 1.0 : b.dishes() * b.surface.R0 / b.ridden_surface().R0;
 }
 
 } // namespace

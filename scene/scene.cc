@@ -92,7 +92,7 @@ void check_own_mesh(const Scene &s) {
 void check_path(const Scene &scene) {
   const auto &e = scene.excitation;
   const double limit = scene.rigid_bodies() ? scene.isolator.effective_radius()
-                                              : make_surface(scene.bearing.ridden_surface())->limit_radius();
+                                            : make_surface(scene.bearing.ridden_surface())->limit_radius();
   const auto refuse = [&](const char *key, double value, double reach) {
     if (reach < limit) return;
     throw InputError(

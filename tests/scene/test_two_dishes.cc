@@ -50,7 +50,7 @@ TEST(TwoDishes, TheEdgeMeetsTheWallAtTheCapacity) {
 TEST(TwoDishes, ASharpEdgeGivesTheRigidModelsRim) {
   Bearing b = two_dishes();
   b.slider.edge_radius = 1e-9;
-  DoubleConcave rigid;
+  Isolator rigid;
   rigid.radius = b.surface.R0, rigid.slider_diameter = b.slider.diameter;
   rigid.top_height = rigid.bottom_height = b.slider.height / 2;
   rigid.capacity = b.lateral_capacity();
