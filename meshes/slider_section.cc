@@ -21,7 +21,11 @@ struct SliderShape {
     return r >= core ? 0.0 : std::sqrt(sphere * sphere - r * r) + centre;
   }
   double side() const { return height - underside(radius); } ///< height of the side
-  double edge_bottom() const { return bottom + underside(radius - edge); }
+  /// Of the rounding: height of its middle; where it leaves the underside, from the horizontal (< 0).
+  double edge_middle() const {
+    return bottom + (centre > 0 ? centre - std::sqrt(std::pow(sphere - edge, 2) - std::pow(radius - edge, 2)) : edge);
+  }
+  double edge_begins() const { return (centre > 0 ? std::asin((radius - edge) / (sphere - edge)) : 0.0) - M_PI / 2; }
   /// Layers, up to side(), follow the underside and flatten towards the top.
   Point2 point(double r, double layer) const {
     const double s = underside(r);
@@ -91,17 +95,18 @@ void follow_underside(Quad9 &quad, const SliderShape &s, double below, double ab
 
 std::vector<Quad9> ring_section(const SliderShape &s, const RingGrid &grid) {
   const std::size_t columns = grid.radii.size(), layers = grid.inner.size();
-  const Point2 centre_of_edge{s.radius - s.edge, s.edge_bottom() + s.edge};
+  const Point2 centre_of_edge{s.radius - s.edge, s.edge_middle()};
+  const double begins = s.edge_begins();
   const auto arc = [&](double angle) -> Point2 {
     return {centre_of_edge[0] + s.edge * std::cos(angle), centre_of_edge[1] + s.edge * std::sin(angle)};
   };
   const auto inside = [&](std::size_t i, std::size_t j) -> Point2 {
     if (j > 0 || i + 2 < columns) return s.point(grid.radii[i], grid.inner[j]);
-    return arc(i + 1 == columns ? -M_PI / 4 : -M_PI / 2); // below: ends of the rounded edge's lower half
+    return arc(i + 1 == columns ? begins / 2 : begins); // below: ends of the rounded edge's lower half
   };
   const auto wall = [&](std::size_t j) -> Point2 {
-    if (j == 1) return arc(-M_PI / 4);
-    const double from = s.edge_bottom() + s.edge; // above the rounding
+    if (j == 1) return arc(begins / 2);
+    const double from = s.edge_middle(); // above the rounding
     return {s.radius, from + (grid.wall[j] - s.edge) * (s.bottom + s.height - from) / (s.side() - s.edge)};
   };
   std::vector<Quad9> section;
@@ -111,7 +116,7 @@ std::vector<Quad9> ring_section(const SliderShape &s, const RingGrid &grid) {
           straight_quad(inside(i, j), inside(i + 1, j), inside(i + 1, j + 1), inside(i, j + 1), Volume::upper_slider);
       if (i + 2 < columns) follow_underside(quad, s, grid.inner[j], grid.inner[j + 1]);
       if (j == 0 && i + 2 == columns) {
-        quad.nodes[1] = arc(-3 * M_PI / 8);
+        quad.nodes[1] = arc(3 * begins / 4);
         quad.groups[2] = Surface::slider_side;
       }
       if (j + 2 == layers) quad.groups[3] = Surface::top;
@@ -121,7 +126,7 @@ std::vector<Quad9> ring_section(const SliderShape &s, const RingGrid &grid) {
   for (std::size_t j = 1; j + 1 < layers; ++j) {
     Quad9 quad =
         straight_quad(inside(columns - 1, j), wall(j), wall(j + 1), inside(columns - 1, j + 1), Volume::upper_slider);
-    if (j == 1) quad.nodes[5] = arc(-M_PI / 8);
+    if (j == 1) quad.nodes[5] = arc(begins / 4);
     quad.groups[1] = Surface::slider_side;
     if (j + 2 == layers) quad.groups[3] = Surface::top;
     centre(quad);

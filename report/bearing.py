@@ -41,7 +41,7 @@ class TwoDishes:
         self.radius, self.edge = diameter / 2, value(bearing, "slider", "edge_radius_mm") or 0.0
         wall = reach + (value(bearing, "rim", "ledge_mm") or 0.0)
         out = self.radius - self.edge
-        down = np.sqrt(self.R ** 2 - out ** 2) - self.edge
+        down = np.sqrt((self.R - self.edge) ** 2 - out ** 2)
         self.tilt = float(np.arcsin((wall - self.edge) / np.hypot(out, down)) - np.arctan2(out, down))  # where both rims are touched
         self.capacity = float((2 * self.R - self.height) * np.sin(self.tilt))
 

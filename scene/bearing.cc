@@ -21,12 +21,12 @@ double effective_radius(const Bearing &b) {
 }
 
 /// The middle of the rounding of a slider's edge between two dishes, from the dish's centre in the slider's own frame:
-/// outwards and down [m]. The rounding meets the side, and the sliding face at `out` from the axis.
+/// outwards and down [m]. The rounding is tangent to the side and to the sliding face.
 struct EdgeMiddle {
   double out, down;
   explicit EdgeMiddle(const Bearing &b)
       : out(b.slider.diameter / 2 - b.slider.edge_radius),
-        down(std::sqrt(b.surface.R0 * b.surface.R0 - out * out) - b.slider.edge_radius) {}
+        down(std::sqrt(std::pow(b.surface.R0 - b.slider.edge_radius, 2) - out * out)) {}
 };
 
 /// At which the rounding is tangent to the wall: out cos(theta) + down sin(theta) + e = wall.

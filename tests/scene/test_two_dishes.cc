@@ -15,15 +15,15 @@ Bearing two_dishes() {
 
 /// The slider's lower outline in its own section: sliding face, rounding, side. From the dish's centre: out, down [m].
 std::vector<Eigen::Vector2d> outline(const Bearing &b) {
-  const double R = b.surface.R0, radius = b.slider.diameter / 2, e = b.slider.edge_radius, face = radius - e,
-               face_end = std::sqrt(R * R - face * face);
+  const double R = b.surface.R0, radius = b.slider.diameter / 2, e = b.slider.edge_radius, middle = radius - e,
+               begins = std::asin(middle / (R - e)), depth = (R - e) * std::cos(begins); // tangent to the face
   std::vector<Eigen::Vector2d> points;
   constexpr int n = 20000;
   for (int i = 0; i <= n; ++i) {
-    const double x = face * i / n, angle = std::numbers::pi / 2 * i / n;
+    const double x = R * std::sin(begins) * i / n, angle = (std::numbers::pi / 2 - begins) * i / n;
     points.emplace_back(x, std::sqrt(R * R - x * x));
-    points.emplace_back(face + e * std::cos(angle), face_end - e + e * std::sin(angle));
-    points.emplace_back(radius, face_end - e - 0.02 * i / n);
+    points.emplace_back(middle + e * std::cos(angle), depth + e * std::sin(angle));
+    points.emplace_back(radius, depth - 0.02 * i / n);
   }
   return points;
 }
@@ -72,7 +72,8 @@ TEST(TwoDishes, TheEdgesHeightAtTouchIsThatOfItsLowestPoint) {
   double lowest = 1;
   for (int i = 0; i <= 20000; ++i) { // the rounding as a whole circle: its lowest point may lie on the face's side
     const double angle = 2 * std::numbers::pi * i / 20000, out = b.slider.diameter / 2 - e + e * std::cos(angle),
-                 face = b.slider.diameter / 2 - e, down = std::sqrt(R * R - face * face) - e + e * std::sin(angle);
+                 face = b.slider.diameter / 2 - e,
+                 down = std::sqrt((R - e) * (R - e) - face * face) + e * std::sin(angle);
     lowest = std::min(lowest, R - (down * std::cos(theta) - out * std::sin(theta)));
   }
   EXPECT_NEAR(edge_at_touch(b), lowest, 1e-9);
