@@ -45,7 +45,7 @@ Bearing shfps_appendix_a() {
   return b;
 }
 
-/// Two dishes face to face with the thesis's radius, slider and capacity of 300 mm (section 3.4; scene::DoubleConcave).
+/// Two dishes face to face with the thesis's radius, slider and capacity of 300 mm (section 3.4; scene::Isolator).
 /// It draws neither the plates nor what is behind the rims' faces: those dimensions and the steel are assumed.
 Bearing dcfp_155() {
   Bearing b;

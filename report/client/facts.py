@@ -1,7 +1,7 @@
 """What the client's pages say, without a word of any language: keys of words.csv, and numbers as the first page writes them."""
 from typing import Any
 
-from ..bearing import lateral_capacity
+from ..bearing import is_double_concave, lateral_capacity
 from ..context import Context
 from ..first_page.device import assumptions
 from ..first_page.error_bars import bars
@@ -44,8 +44,15 @@ def _device(context: Context) -> dict[str, Any]:
             _row("capacity", lateral_capacity(bearing), 1e3, 1, "mm") if surface else None,
             _row("yield", bearing.get("material", {}).get("steel", {}).get("yield_MPa"), 1, None, "MPa", "material.steel.yield_MPa" in assumed),
             _row("weight", pick("vertical_kN"), 1, None, "kN"), _row("mass", pick("mass_kg"), 1, None, "kg")]
-    return {"name": bearing.get("name") or context.results.answer.get("bearing", ""), "surface": "double" if context.double_concave else surface.get("kind", "ellipse"),
+    return {"name": bearing.get("name") or context.results.answer.get("bearing", ""), "surface": _kind(context, bearing),
             "rows": [row for row in rows if row]}
+
+
+def _kind(context: Context, bearing: dict[str, Any]) -> str:
+    """A word of the table."""
+    if context.scene.get("reduced", {}).get("model") == "tfp":
+        return "triple"
+    return "double" if context.rigid_bodies or is_double_concave(bearing) else bearing.get("surface", {}).get("kind", "ellipse")
 
 
 def span(ends: Any, unit: str = "") -> str:

@@ -45,7 +45,7 @@ def _pictures(context: Context, found: dict[str, Any], words: Words) -> dict[str
     labels["law"] = spoken(name) if spoken.has(name) else name
     sources = [spoken(part) if spoken.has(part) else part for part in found["source"]]
     labels["source"] = ", ".join(sources)
-    bearing = context.scene.get("bearing") if not context.double_concave else None
+    bearing = context.scene.get("bearing") if not context.rigid_bodies else None
     draw, prefix = context.pictures.figure, f"client-{words.language}"
     with plt.rc_context({"font.sans-serif": [*([family] if family else []), *plt.rcParams["font.sans-serif"]]}):
         section = draw(f"{prefix}-bearing", "", bearing_figure.draw, bearing, context.whole_bearing, labels=labels) if bearing else None
