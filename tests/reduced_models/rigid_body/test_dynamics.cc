@@ -30,7 +30,7 @@ scene::Scene as_sphere(const scene::Scene &given, double mu) {
   scene::Scene s = given;
   const auto &b = given.isolator;
   s.reduced.model = scene::ModelKind::physical;
-  s.bearing.surface = {scene::SurfaceKind::sphere, b.effective_radius()};
+  s.bearing.surface = {.kind = scene::SurfaceKind::sphere, .R0 = b.effective_radius()};
   s.bearing.surface.planar_radius = b.capacity + s.bearing.slider.diameter / 2;
   s.reduced.mu_fast = s.reduced.mu_slow = effective_friction(b, mu);
   // Two rims in series, each penetrated by R cos(theta + phi) / (R_eff cos(theta)) of the travel beyond C_t.

@@ -60,7 +60,7 @@ TEST(RigidBodyBuilding, TheSameFrameOnTheSphereOfItsEffectiveRadius) {
   auto sphere = scene;
   const auto &b = scene.isolator;
   sphere.reduced.model = scene::ModelKind::physical;
-  sphere.bearing.surface = {scene::SurfaceKind::sphere, b.effective_radius()};
+  sphere.bearing.surface = {.kind = scene::SurfaceKind::sphere, .R0 = b.effective_radius()};
   sphere.bearing.surface.planar_radius = b.capacity + sphere.bearing.slider.diameter / 2;
   sphere.reduced.mu_fast = sphere.reduced.mu_slow = effective_friction(b, 0.05);
   const auto own = simulate(scene), other = simulate(sphere);
