@@ -31,7 +31,7 @@ void visit_inner(KeyVisitor &v, InnerSlider &in) {
     v.limit({"top_radius_m", "R_3 of its upper face; inf: as radius_m"}, in.top_radius, si, {0, 1e3, true});
   v.number({"bottom_height_mm", "h_2, from its middle to the lower face"}, in.bottom_height, milli, length_mm);
   v.number({"top_height_mm", "h_3, to the upper face"}, in.top_height, milli, length_mm);
-  v.number({"diameter_mm"}, in.diameter, milli, length_mm);
+  v.number({"diameter_mm", "of the inner slider"}, in.diameter, milli, length_mm);
   v.number({"travel_mm", "d_2, along the lower slide plate's face to its rim"}, in.travel, milli, length_mm);
   if (v.wants(in.top_travel.has_value()))
     v.limit({"top_travel_mm", "d_3, along the upper one's; inf: as travel_mm"}, in.top_travel, milli, length_mm);

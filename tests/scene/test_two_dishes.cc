@@ -133,4 +133,19 @@ TEST(TwoDishes, WhatCannotBeBuiltIsRefusedWithBothNumbers) {
   EXPECT_EQ(refusal_of({}), "");
 }
 
+TEST(TwoDishes, KeysOfTheOtherKindOfSliderAreNamed) {
+  const auto remarked = [](const std::vector<std::string> &assignments) {
+    std::string all;
+    for (const auto &remark : load_scene("impact-window", assignments).remarks) all += remark + "\n";
+    return all;
+  };
+  EXPECT_NE(remarked({"bearing.slider.height_mm=90"}).find("bearing.slider.height_mm is not read"), std::string::npos);
+  const std::string of_two =
+      remarked({"bearing.name=dcfp-155", "bearing.slider.top_mm=150", "bearing.pad.thickness_mm=30",
+                "bearing.foot.radius_mm=80", "bearing.material.ertalyte.E_MPa=3000"});
+  for (const char *key : {"bearing.slider.top_mm", "bearing.pad.thickness_mm", "bearing.foot.radius_mm",
+                          "bearing.material.ertalyte.E_MPa"})
+    EXPECT_NE(of_two.find(key), std::string::npos) << key << " in: " << of_two;
+}
+
 } // namespace
