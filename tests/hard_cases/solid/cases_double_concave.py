@@ -24,7 +24,9 @@ def cases(program, folder):
     return [
         (BASE, True, window(0.2), 0, impacts(1)),
         ("grazing, 5 mm/s", True, window(0.005), 0, impacts(1)),
-        ("1.0 m/s", True, window(1.0), 0, impacts(1)),
+        ("0.6 m/s", True, window(0.6), 0, impacts(1)),
+        # its rims of 20 mm are folded over: energy goes astray on the draft mesh, and the run says so
+        ("1.0 m/s", False, window(1.0), 0, impacts(1)),
         ("1.5 m/s", False, window(1.5), 0, impacts(1)),
         ("oblique, 31 degrees", True, free((0.29, 0), (0.4, 0.24), 0.3), 0, impacts(1)),
         ("repeated on the yielded rims, mu 0", True, free((0.29, 0), (0.4, 0), 6, *friction(0)), 0, impacts(2)),
