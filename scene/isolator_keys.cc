@@ -37,9 +37,9 @@ void visit_inner(KeyVisitor &v, InnerSlider &in) {
     v.limit({"top_travel_mm", "d_3, along the upper one's; inf: as travel_mm"}, in.top_travel, milli, length_mm);
   v.number({"rim_height_mm", "of the slide plates' rims, above the edge of their faces"}, in.rim_height, milli,
            length_mm);
-  v.number({"mass_kg"}, in.mass, si, positive);
-  v.number({"mu_fast"}, in.mu_fast, si, {0, 2});
-  v.number({"mu_slow"}, in.mu_slow, si, {0, 2});
+  v.number({"mass_kg", "of the inner slider"}, in.mass, si, positive);
+  v.number({"mu_fast", "friction of its lower face at speed"}, in.mu_fast, si, {0, 2});
+  v.number({"mu_slow", "the same at rest"}, in.mu_slow, si, {0, 2});
   if (v.wants(in.top_mu_fast.has_value()))
     v.limit({"top_mu_fast", "of the upper face; inf: as mu_fast"}, in.top_mu_fast, si, {0, 2});
   if (v.wants(in.top_mu_slow.has_value()))
