@@ -1,7 +1,6 @@
 """Calibrations: made by the command, read as they are stored."""
 from __future__ import annotations
 
-import json
 import os
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -11,9 +10,8 @@ import pandas as pd
 
 from rimpact import program
 from rimpact.comparison import write_run
-from rimpact.errors import DataError
 from rimpact.measured import Measured
-from rimpact.results import Run, html_of
+from rimpact.results import Run, html_of, json_in
 
 
 @dataclass(frozen=True)
@@ -30,13 +28,7 @@ class Calibration:
     @staticmethod
     def load(folder: str | os.PathLike) -> Calibration:
         """Reads a calibration folder, e.g. results/main/calibration."""
-        path = Path(folder) / "calibration.json"
-        try:
-            return Calibration(Path(folder), json.loads(path.read_text(encoding="utf-8")))
-        except (FileNotFoundError, NotADirectoryError):
-            raise DataError(f"{folder}: is no folder with a calibration.json") from None
-        except ValueError as error:  # JSON, or its bytes
-            raise DataError(f"{path}: {error}") from error
+        return Calibration(Path(folder), json_in(folder, "calibration.json"))
 
     @property
     def answer(self) -> dict:

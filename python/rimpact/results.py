@@ -6,7 +6,7 @@ import json
 import os
 import warnings
 import xml.etree.ElementTree as ElementTree
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
@@ -172,6 +172,14 @@ def _fields(folder: Path | None) -> pd.DataFrame:
     return pd.DataFrame({"time_s": [float(each["timestep"]) for each in sets], "file": [str(index.parent / each["file"]) for each in sets]})
 
 
+def json_in(folder: str | os.PathLike, name: str) -> dict:
+    """A file that makes a folder one of results. Raises DataError where it is not there, or is no JSON."""
+    path = Path(folder) / name
+    if not path.is_file():
+        raise DataError(f"{folder}: is no folder with a {name}")
+    return _table(path, lambda: path.read_text(encoding="utf-8"))
+
+
 def _text(path: Path) -> str:
     try:
         return path.read_text(encoding="utf-8")
@@ -180,8 +188,12 @@ def _text(path: Path) -> str:
 
 
 def _json(path: Path) -> dict:
+    return _table(path, lambda: _text(path) or "{}")
+
+
+def _table(path: Path, text: Callable[[], str]) -> dict:
     try:
-        found = json.loads(_text(path) or "{}")
+        found = json.loads(text())
     except ValueError as error:  # JSON, or its bytes
         raise DataError(f"{path}: {error}") from error
     if not isinstance(found, dict):

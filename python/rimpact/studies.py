@@ -12,7 +12,7 @@ import pandas as pd
 
 from rimpact import program
 from rimpact.errors import DataError
-from rimpact.results import Run, html_of, load
+from rimpact.results import Run, html_of, json_in, load
 from rimpact.scene import Scene, Value
 from rimpact.work import on_disk, settings_words
 
@@ -63,13 +63,7 @@ class Reliability:
     @staticmethod
     def load(folder: str | os.PathLike) -> Reliability:
         """Reads the results folder of a study."""
-        path = Path(folder) / "reliability.json"
-        try:
-            return Reliability(json.loads(path.read_text(encoding="utf-8")), Path(folder))
-        except (FileNotFoundError, NotADirectoryError):
-            raise DataError(f"{folder}: is no folder with a reliability.json") from None
-        except ValueError as error:
-            raise DataError(f"{path}: {error}") from error
+        return Reliability(json_in(folder, "reliability.json"), Path(folder))
 
     def table(self, name: str) -> pd.DataFrame:
         """One of its tables: fragility, reliability, ida, hits, motions, difference, sensitivity, levels, records."""

@@ -230,13 +230,18 @@ TEST_F(Laboratory, TakesOffALagThatIsStatedOrFound) {
   }
 }
 
+/// The force of a response by a clock that is late by `late` [s].
+void delay_force(Response &r, double late) {
+  const auto &time = r.series("time");
+  std::vector<double> earlier;
+  for (const double t : time) earlier.push_back(std::clamp(t - late, time.front(), time.back()));
+  r.series("impact_x") = r.series("force_x") = on_clock(time, r.series("impact_x"), earlier);
+}
+
 TEST_F(Laboratory, TellsTheLagItFinds) {
   for (const double late : {0.8e-3, -0.5e-3}) {
     auto r = record_at(0.5);
-    const auto time = r.series("time");
-    std::vector<double> earlier;
-    for (const double t : time) earlier.push_back(std::clamp(t - late, time.front(), time.back()));
-    r.series("impact_x") = r.series("force_x") = on_clock(time, r.series("impact_x"), earlier);
+    delay_force(r, late);
     WindowOptions options;
     options.measured = true;
     const auto clock = align_force("lagged", window(0.5), r, options);
@@ -250,10 +255,7 @@ TEST_F(Laboratory, TellsTheLagItFinds) {
 StoredRun with_late_force(scene::Scene s, double late, unsigned seed, bool found) {
   s.reduced.output_step = 1e-4;
   auto r = sampled(s, reduced::simulate(s).response, quiet, seed);
-  const auto time = r.series("time");
-  std::vector<double> earlier;
-  for (const double t : time) earlier.push_back(std::clamp(t - late, time.front(), time.back()));
-  r.series("impact_x") = r.series("force_x") = on_clock(time, r.series("impact_x"), earlier);
+  delay_force(r, late);
   WindowOptions options;
   options.measured = true;
   const double error = found ? align_force("late", s, r, options).unsure : 0;
