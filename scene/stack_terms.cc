@@ -14,6 +14,7 @@ const std::vector<std::string> &stack_keys() {
 }
 
 double pad_elastic_slip(const Bearing &bearing, double normal_force, double mu) {
+  if (bearing.double_concave()) return 0; // no pad
   const Material &pad = bearing.ertalyte;
   return mu * normal_force * bearing.pad.thickness / (pad.E / (2 * (1 + pad.nu)) * bearing.pad_area());
 }
@@ -61,7 +62,6 @@ void leave_out_what_does_not_fit(Scene &scene) {
 
 void settle_elastic_slip(Scene &scene) {
   constexpr double rounding = 1e-6; // of a number that a calibration wrote
-  if (scene.bearing.double_concave()) return;
   const double slip = pad_elastic_slip(scene.bearing, scene.load.vertical, scene.reduced.mu_fast);
   if (slip > 0 && std::abs(slip / scene.reduced.elastic_slip - 1) > rounding) scene.reduced.elastic_slip = slip;
 }

@@ -13,6 +13,7 @@ const std::vector<std::string> &stack_keys();
 
 /// Travel over which the pad builds up the friction mu N of its face: mu N t / (G A) [m], 0.14 mm by default. A slider
 /// that turns round keeps its old friction for some milliseconds; on a pulse that is 5 to 20 % of the touch speed.
+/// 0 between two dishes, where there is no pad.
 double pad_elastic_slip(const Bearing &bearing, double normal_force, double mu);
 
 /// Whence a calibration has its elastic slip.
