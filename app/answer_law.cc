@@ -1,6 +1,7 @@
 #include "app/answer_law.h"
 
 #include "files/key_list.h"
+#include "scene/toml_writer.h"
 #include <filesystem>
 
 namespace rimpact::app {

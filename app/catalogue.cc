@@ -1,43 +1,22 @@
 #include "app/catalogue.h"
 
-#include "app/command_tree.h"
+#include "app/fe_verb_texts.h"
 
 namespace rimpact::app {
 namespace {
 
-// Shown in --help here, carried out by rimpact-fe (main_light.cc hands them over before parsing).
-constexpr const char *run_name = "run", *run_help = "run a scene by finite elements";
-constexpr const char *mesh_name = "mesh", *mesh_help = "mesh a bearing into a .msh file";
-constexpr const char *curve_name = "curve", *curve_help = "push a bearing's rim once for every speed";
+// Shown in --help here; main_light.cc hands them over before it parses.
+constexpr Verb run_shown{text_of_run}, mesh_shown{text_of_mesh}, curve_shown{text_of_curve};
+
+constexpr const Verb *verbs[] = {&main_verb,    &new_verb,       &check_verb,       &motion_verb,     &design_verb,
+                                 &reduced_verb, &building_verb,  &reliability_verb, &run_shown,       &mesh_shown,
+                                 &curve_shown,  &calibrate_verb, &compare_verb,     &geometry_verb,   &design_page_verb,
+                                 &study_verb,   &report_verb,    &export_verb,      &references_verb, &thesis_verb,
+                                 &list_verb,    &help_verb,      &completion_verb,  &version_verb};
 
 } // namespace
 
-const std::vector<Verb> &light_verbs() {
-  static const std::vector<Verb> verbs{
-      {"main", add_main},
-      {"new", add_new},
-      {"check", add_check},
-      {"motion", add_motion},
-      {"design", add_design},
-      {"reduced", add_reduced},
-      {"building", add_building},
-      {"reliability", add_reliability},
-      {"run", [](CLI::App &app, Console &) { app.add_subcommand(run_name, run_help); }},
-      {"mesh", [](CLI::App &app, Console &) { app.add_subcommand(mesh_name, mesh_help); }},
-      {"curve", [](CLI::App &app, Console &) { app.add_subcommand(curve_name, curve_help); }},
-      {"calibrate", add_calibrate},
-      {"compare", add_compare},
-      {"geometry", add_geometry},
-      {"design-page", add_design_page},
-      {"study", add_study},
-      {"report", add_report},
-      {"export", add_export},
-      {"references", add_references},
-      {"thesis", add_thesis},
-      {"list", add_list},
-      {"help", add_help},
-      {"completion", add_completion},
-      {"version", add_version}};
+std::span<const Verb *const> light_verbs() {
   return verbs;
 }
 

@@ -21,6 +21,5 @@ struct VerbWords {
 std::vector<VerbWords> command_tree(const CLI::App &app);
 
 /// The verb `completion` of both programs.
-void add_completion(CLI::App &app, Console &console);
 
 } // namespace rimpact::app

@@ -4,6 +4,7 @@
 #include "files/file.h"
 #include "files/json_text.h"
 #include "responses/build_version.h"
+#include "responses/response_hdf5.h"
 #include <filesystem>
 
 namespace rimpact::app {

@@ -8,6 +8,7 @@
 #include "files/file.h"
 #include "responses/choices.h"
 #include "scene/scene.h"
+#include "scene/toml_writer.h"
 #include <array>
 #include <cmath>
 #include <filesystem>

@@ -1,84 +1,24 @@
 #include "app/console.h"
 
-#include "app/help_format.h"
-#include "app/verb.h"
-#include "app/verb_words.h"
 #include "files/file.h"
 #include "files/key_list.h"
 #include "files/text.h"
 #include "responses/choices.h"
 #include "scene/case_description.h"
 #include "scene/doubts.h"
+#include "scene/element_doubts.h"
 #include "scene/names.h"
 #include "scene/script_permission.h"
+#include "scene/toml_writer.h"
 #include <algorithm>
-#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <fcntl.h>
 #include <filesystem>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 #include <unistd.h>
 
 namespace rimpact::app {
-namespace {
-
-std::atomic<bool> interrupt_flag{false}, interrupts_watched{false};
-
-void on_interrupt(int) {
-  if (!interrupts_watched || interrupt_flag) _exit(static_cast<int>(ExitCode::interrupted));
-  interrupt_flag = true;
-}
-
-/// SIGHUP too, unless the shell has it ignored (nohup): a closed terminal must not cost a run its last checkpoint.
-/// SIGUSR1 is what mpirun passes on to its ranks, and what batch systems send before a job's time is up.
-void catch_interrupts() {
-  std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow fails to be written, with a sentence
-  for (const int signal : {SIGINT, SIGTERM, SIGUSR1, SIGHUP})
-    if (std::signal(signal, on_interrupt) == SIG_IGN && signal == SIGHUP) std::signal(signal, SIG_IGN);
-}
-
-int fail(const std::string &sentence, ExitCode code) {
-  say(fmt::format("{} {}\n", coloured("error:", "31"), scene::printable(sentence)));
-  return static_cast<int>(code);
-}
-
-/// The sentence for a command line that does not parse, with the nearest known verb or option.
-std::string explain(const CLI::App &app, const CLI::ParseError &error, int argc, char **argv) {
-  const auto visible = [](const CLI::App *) { return true; };
-  std::vector<std::string> verbs, options;
-  const CLI::App *verb = nullptr;
-  for (const auto *each : app.get_subcommands(visible)) {
-    verbs.push_back(each->get_name());
-    if (each->parsed()) verb = each;
-  }
-  if (!verb && argc > 1 && argv[1][0] != '-')
-    return fmt::format("verb {} (see rimpact --help)", not_among(argv[1], verbs));
-  const std::string help = verb ? fmt::format("rimpact {} --help", verb->get_name()) : "rimpact --help";
-  if (verb && dynamic_cast<const CLI::ExtrasError *>(&error)) {
-    for (const auto *option : verb->get_options())
-      for (const auto &name : option->get_lnames()) options.push_back("--" + name);
-    for (const auto &word : verb->remaining())
-      if (const auto near = nearest(word, options); near && word[0] == '-')
-        return fmt::format("{} is not an option of {}; did you mean {}? (see {})", word, verb->get_name(), *near, help);
-  }
-  return fmt::format("{} (see {})", error.what(), help);
-}
-
-/// One line on how to go on, to stderr: not for --quiet and not for programs, which ask for JSON.
-void tell_next(const CLI::App &verb, const Console &console) {
-  if (console.quiet || console.json) return;
-  const auto given = [&verb](const char *name) {
-    const auto *option = verb.get_option_no_throw(name);
-    return option && option->count() > 0 ? option->results().front() : std::string();
-  };
-  const std::string next = next_step(verb.get_name() + (given("--sweep").empty() ? "" : " --sweep"), given("--output"));
-  if (!next.empty()) say("next: " + scene::printable(next) + "\n");
-}
-
-} // namespace
-
 void Console::message(const std::string &sentence) {
   log_ += sentence + "\n";
   if (!quiet) say(scene::printable(sentence) + "\n");
@@ -168,14 +108,6 @@ void Console::add_force(CLI::App &verb) {
   verb.add_flag("--force", force, "replace what the output folder holds, whatever it is of");
 }
 
-const std::atomic<bool> &interrupted() {
-  return interrupt_flag;
-}
-
-void watch_interrupts() {
-  interrupts_watched = true;
-}
-
 void say(const std::string &text) {
   std::fwrite(text.data(), 1, text.size(), stderr);
 }
@@ -207,44 +139,6 @@ void keep_scene_file(const std::string &given, const scene::Scene &scene, const 
   if (read_file(own.string()) != scene::to_toml(scene)) // a run's own folder may be run again
     throw InputError("-o " + folder + " would replace the scene file " + own.string() +
                      " itself; choose another folder");
-}
-
-int run_command(int argc, char **argv, const std::vector<Verb> &verbs) {
-  CLI::App app{"rimpact: finite-element reference curves of friction-pendulum bearings that hit their rim,\n"
-               "calibrated impact parameters, and how far each model is from the reference."};
-  app.name("rimpact");
-  app.formatter(std::make_shared<HelpFormat>());
-  app.require_subcommand(1);
-  app.set_version_flag("--version", "rimpact " RIMPACT_VERSION,
-                       "this program's version; `version` names its libraries too");
-  Console console;
-  console.argc = argc, console.argv = argv;
-  for (const auto &verb : verbs) verb.add(app, console);
-  add_words(app);
-  open_standard_streams();
-  catch_interrupts();
-  try {
-    app.parse(argc, argv);
-    tell_next(*app.get_subcommands().front(), console);
-    return 0;
-  } catch (const CLI::Success &wanted) { // --help, --version
-    return app.exit(wanted);
-  } catch (const CLI::ParseError &error) {
-    return fail(explain(app, error, argc, argv), ExitCode::input);
-  } catch (const Error &error) {
-    return fail(error.what(), error.code());
-  } catch (const nlohmann::json::exception &error) {
-    return fail(std::string("a kept result is damaged, a value in it is missing or of another type: ") + error.what(),
-                ExitCode::data);
-  } catch (const std::filesystem::filesystem_error &error) { // a folder that may not be made, say
-    return fail(fmt::format("{}: {}", error.path1().string(), error.code().message()), ExitCode::io);
-  } catch (const std::bad_alloc &) {
-    return fail("out of memory; by finite elements a coarser mesh (a lower model.mesh) needs less, by the reduced "
-                "model fewer instants (a larger reduced.output_step_ms)",
-                ExitCode::stopped);
-  } catch (const std::exception &error) {
-    return fail(std::string("a bug in rimpact, please report it: ") + error.what(), ExitCode::bug);
-  }
 }
 
 } // namespace rimpact::app

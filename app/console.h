@@ -2,7 +2,6 @@
 #pragma once
 #include "files/error.h"
 #include "scene/scene.h"
-#include <atomic>
 #include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
@@ -20,6 +19,7 @@ public:
   bool load_is_shared = false; ///< a building's bearings carry shares of it: the scene's own load is not read
   int argc = 0;                ///< the command as it was given
   char **argv = nullptr;
+  std::string made_folder; ///< of the results this process writes: where the next step finds them; empty: none
 
   void message(const std::string &sentence); ///< stderr, unless --quiet; kept for log.txt
   void detail(const std::string &sentence);  ///< only with --verbose; kept for log.txt
@@ -49,11 +49,6 @@ private:
   std::vector<std::string> warnings_;
 };
 
-/// Set by Ctrl-C, SIGTERM, SIGUSR1 and SIGHUP once a verb watches it; a second one ends the process at once.
-const std::atomic<bool> &interrupted();
-/// From now on Ctrl-C sets the flag only. Until a verb calls it, Ctrl-C ends the process with exit code 130:
-/// files are written atomically, so nothing is left half-way.
-void watch_interrupts();
 /// To stderr. That it cannot be written (a closed terminal) must not end a run.
 void say(const std::string &text);
 /// Closed ones become /dev/null: else the next file opened would get their number, and messages would be written into

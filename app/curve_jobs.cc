@@ -1,12 +1,14 @@
 #include "app/curve_jobs.h"
 
 #include "app/fe_processes.h"
+#include "app/interrupts.h"
 #include "app/progress.h"
 #include "app/sibling.h"
 #include "files/file.h"
 #include "planning/plan.h"
 #include "responses/build_version.h"
 #include "scene/rim_identity.h"
+#include "scene/toml_writer.h"
 #include <chrono>
 #include <cmath>
 #include <filesystem>

@@ -2,6 +2,7 @@
 
 #include "app/job_runner.h"
 #include "calibration/answer/answer.h"
+#include "calibration/answer/answer_json.h"
 #include "calibration/answer/calibration_json.h"
 #include "calibration/laws/percent.h"
 #include <algorithm>

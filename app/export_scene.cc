@@ -3,6 +3,7 @@
 #include "calibration/export/comment.h"
 #include "calibration/export/exported_model.h"
 #include "files/error.h"
+#include "scene/bearing_catalogue.h"
 #include "scene/case_description.h"
 #include "scene/rim_identity.h"
 #include <cmath>

@@ -5,6 +5,7 @@
 #include "buildings/regular_building.h"
 #include "calibration/data/mapping.h"
 #include "risk/study.h"
+#include "risk/study_reader.h"
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -26,7 +27,7 @@ template <Worded E> std::string any_of() {
 /// The keys of a description by its own visit, those of a table under `section`.
 template <class Description> std::vector<KeyDescription> visited(const std::string &section = "") {
   Description description;
-  KeyDescriber describer(nullptr, section.empty() ? "" : section + ".");
+  KeyDescriber describer(section.empty() ? "" : section + ".");
   visit(describer, description);
   const auto presets = presets_of([&](KeyVisitor &visitor) { visit(visitor, description); }, section);
   for (auto &key : describer.keys)
@@ -70,7 +71,6 @@ std::vector<KeyDescription> sweep_keys() {
 std::vector<KeyDescription> study_keys() {
   using namespace risk;
   const Study usual;
-  const MotionSource &motions = usual.motions;
   return {
       text("name", "the file's", "text", "of the study"),
       text("scene", "", "text", "of every run: built in, or a file beside the study"),
@@ -82,6 +82,13 @@ std::vector<KeyDescription> study_keys() {
       text("intensity.levels_g", "[]", "numbers from 0 to 100", "every record at every one of these levels"),
       text("intensity.measure", word(Measure::component), any_of<Measure>(), "of levels_g: whose S_a is the level"),
       text("hazard.points", "", "pairs of S_a in g and return period in years", "the hazard curve, two or more"),
+  };
+}
+
+std::vector<KeyDescription> motion_keys() {
+  using namespace risk;
+  const MotionSource motions;
+  return {
       text("motions.folders", "[]", "folders",
            "of records; those of a table are named RSN<number>_...; --records adds one"),
       text("motions.table", "", "a CSV file", "which records stand at which level"),
@@ -100,7 +107,13 @@ std::vector<KeyDescription> study_keys() {
       text("motions.set.search_results", "", "a CSV file",
            "[[motions.set]]: results of PEER's search in place of a table"),
       number("motions.set.level", "", "> 0", "of the set, as motions.level_is has it"),
-      text("limit.quantity", "", fmt::format("{}", fmt::join(quantities(), ", ")), "[[limit]]: what is limited"),
+  };
+}
+
+std::vector<KeyDescription> limit_keys() {
+  const risk::Study usual;
+  return {
+      text("limit.quantity", "", fmt::format("{}", fmt::join(risk::quantities(), ", ")), "[[limit]]: what is limited"),
       text("limit.values", "", "numbers > 0, or from, to, count", "its limits, SI"),
       number("limit.values.from", "", "> 0", "first of evenly spaced limits"),
       number("limit.values.to", "", "> 0", "last of them"),
@@ -153,7 +166,7 @@ std::vector<FileKeys> file_keys() {
       {"sweep_keys", "Sweep files", "`KEY` stands for any scene key, or `variable.NAME`, a column only.", sweep_keys()},
       {"study_keys", "Reliability studies",
        "Parts `case`, `device`, `grid`, `latin_hypercube` and `linked` are those of a sweep file.",
-       study_keys() + acceptance_keys()},
+       study_keys() + motion_keys() + limit_keys() + acceptance_keys()},
       {"building_keys", "Buildings", "A regular building, linear in space, for `--frame`.",
        with_bearings(visited<buildings::RegularBuilding>())},
       {"frame_keys", "Inelastic frames",

@@ -1,8 +1,8 @@
 #include "app/folder_claim.h"
 
-#include "app/verb_words.h"
 #include "files/file.h"
 #include "responses/response.h"
+#include "scene/toml_writer.h"
 #include <filesystem>
 #include <fmt/format.h>
 
@@ -42,7 +42,7 @@ void clear(const FolderUse &use, const KeptRun &kept, const scene::Scene &scene,
 
 ClaimedFolder claim_for_run(const FolderUse &use, const scene::Scene &scene, Console &console) {
   keep_scene_file(use.given, scene, use.folder);
-  remember_folder(use.folder);
+  console.made_folder = use.folder;
   ClaimedFolder claimed{FolderLock(use.folder)};
   const KeptRun kept = kept_run(use.folder, scene);
   const std::string against = use.force ? "" : objection(use, kept);

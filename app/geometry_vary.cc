@@ -2,6 +2,7 @@
 
 #include "app/folder_claim.h"
 #include "app/geometry_target.h"
+#include "app/interrupts.h"
 #include "app/job_runner.h"
 #include "app/run_plan.h"
 #include "app/shard.h"

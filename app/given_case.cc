@@ -6,6 +6,7 @@
 #include "files/text.h"
 #include "files/toml_reader.h"
 #include "scene/assumptions.h"
+#include "scene/bearing_catalogue.h"
 #include "scene/case_description.h"
 #include "scene/isolator_catalogue.h"
 #include "scene/rim_identity.h"

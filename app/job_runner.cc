@@ -1,10 +1,13 @@
 #include "app/job_runner.h"
 
 #include "app/fe_processes.h"
+#include "app/interrupts.h"
 #include "app/sibling.h"
 #include "files/file.h"
 #include "responses/kept_run.h"
+#include "responses/physics_version.h"
 #include "responses/response.h"
+#include "scene/toml_writer.h"
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>

@@ -1,10 +1,11 @@
 #include "app/key_catalogue.h"
 
 #include "app/key_describer.h"
-#include "app/key_meanings.h"
 #include "files/key_list.h"
 #include "files/toml_reader.h"
+#include "scene/bearing_keys.h"
 #include "scene/keys.h"
+#include "scene/scene_keys.h"
 #include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -32,6 +33,13 @@ std::set<std::string> relevant(const std::vector<std::string> &settings) {
   return paths;
 }
 
+/// When a key counts, where no choice says it.
+std::string without_choice(const std::string &path) {
+  if (path.starts_with("model.own_mesh.groups.")) return "the file's groups have other names";
+  if (path.starts_with("model.own_mesh.")) return "model.own_mesh.file is given";
+  return "it is given";
+}
+
 /// A choice of [isolator] is tried with the model that reads all of it.
 std::vector<std::string> settings_of(const std::string &path, const std::string &word) {
   std::vector<std::string> settings{fmt::format("{}=\"{}\"", path, word)};
@@ -55,22 +63,20 @@ void find_conditions(const KeyDescriber &describer, std::vector<KeyDescription> 
   }
   const auto always = relevant({});
   for (auto &key : keys)
-    if (key.condition.empty() && always.count(key.path) == 0) key.condition = conditions_by_hand(key.path);
-  for (auto &key : keys) key.condition += further_condition(key.path);
+    if (key.condition.empty() && always.count(key.path) == 0) key.condition = without_choice(key.path);
+  for (auto &key : keys) key.condition += key.counts_also;
 }
 
 } // namespace
 
 std::vector<KeyDescription> scene_keys() {
-  KeyDescriber describer(meaning_of);
+  KeyDescriber describer;
   scene::Scene scene;
   visit_all(describer, scene);
   const auto presets = presets_of([&](KeyVisitor &visitor) { visit_all(visitor, scene); });
   std::vector<KeyDescription> keys = describer.keys;
-  for (auto &key : keys) {
-    const std::string follows = preset_by_hand(key.path);
-    key.preset = follows.empty() ? presets.at(key.path) : follows;
-  }
+  for (auto &key : keys)
+    if (key.preset.empty()) key.preset = presets.at(key.path);
   find_conditions(describer, keys);
   for (const auto &[path, meaning] :
        {std::pair{"name", "of the scene; default: the file's"},

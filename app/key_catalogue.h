@@ -7,14 +7,15 @@
 namespace rimpact::app {
 
 struct KeyDescription {
-  std::string path;      ///< dotted, as a scene file has it
-  std::string kind;      ///< number | limit | integer | flag | text | choice | pair | numbers | switches
-  std::string unit;      ///< as the name says it; empty: none
-  std::string preset;    ///< its value where the file is silent, as TOML writes it
-  std::string range;     ///< in the file's unit, or the words to choose from
-  std::string meaning;   ///< never empty
-  bool assumption;       ///< of the built-in bearing: no source gives it
-  std::string condition; ///< e.g. "excitation.kind = push"; empty: it always counts
+  std::string path;             ///< dotted, as a scene file has it
+  std::string kind;             ///< number | limit | integer | flag | text | choice | pair | numbers | switches
+  std::string unit;             ///< as the name says it; empty: none
+  std::string preset;           ///< its value where the file is silent, as TOML writes it
+  std::string range;            ///< in the file's unit, or the words to choose from
+  std::string meaning;          ///< never empty
+  bool assumption;              ///< of the built-in bearing: no source gives it
+  std::string condition;        ///< e.g. "excitation.kind = push"; empty: it always counts
+  std::string counts_also = {}; ///< who reads it beside these, to be appended
 };
 
 /// Keys of scenes, those of a bearing under "bearing."; a bearing file has them without that word.

@@ -50,15 +50,15 @@ void KeyDescriber::switches(const Key &key, const std::vector<std::pair<std::str
 }
 
 void KeyDescriber::add(const Key &key, const char *kind, std::string range) {
-  const std::string own = meaning_ ? meaning_(path(key)) : "";
   keys.push_back({.path = path(key),
                   .kind = kind,
                   .unit = unit_in_name(key.name),
-                  .preset = {},
+                  .preset = key.follows,
                   .range = std::move(range),
-                  .meaning = own.empty() ? key.comment : own,
+                  .meaning = *key.meaning ? key.meaning : key.comment,
                   .assumption = key.assumption,
-                  .condition = {}});
+                  .condition = {},
+                  .counts_also = key.counts_also});
 }
 
 std::map<std::string, std::string> presets_of(const std::function<void(KeyVisitor &)> &visit,

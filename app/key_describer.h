@@ -6,12 +6,10 @@
 
 namespace rimpact::app {
 
-/// Writes down kind and range of every key; its value comes from presets_of.
+/// Writes down kind and range of every key; its value comes from presets_of where it does not follow from other keys.
 class KeyDescriber final : public PathVisitor {
 public:
-  /// In full, for the path of a key; empty: the key's own comment does.
-  using Meaning = std::string (*)(const std::string &path);
-  explicit KeyDescriber(Meaning meaning, std::string prefix = "") : PathVisitor(std::move(prefix)), meaning_(meaning) {}
+  explicit KeyDescriber(std::string prefix = "") : PathVisitor(std::move(prefix)) {}
   std::vector<KeyDescription> keys;
   std::vector<std::pair<std::string, std::vector<std::string>>> choices;
 
@@ -29,7 +27,6 @@ public:
 
 private:
   void add(const Key &key, const char *kind, std::string range);
-  Meaning meaning_;
 };
 
 /// What a visit's keys hold where the file is silent, as TOML writes it, by path.

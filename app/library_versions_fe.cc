@@ -1,5 +1,6 @@
 #include "app/library_versions.h"
 #include "fe_contact/drive/run.h"
+#include "fe_contact/drive/versions.h"
 
 namespace rimpact::app {
 

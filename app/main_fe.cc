@@ -1,7 +1,7 @@
 // The finite-element executable: run, mesh, curve, version, and check of a scene with a mesh of its own. Starts PETSc
 // (and MPI) once; under mpirun the first rank speaks.
-#include "app/command_tree.h"
-#include "app/verb.h"
+#include "app/catalogue.h"
+#include "app/command.h"
 #include "fe_contact/drive/mpi_start.h"
 #include "fe_contact/drive/run.h"
 #include "files/library_threads.h"
@@ -32,6 +32,10 @@ void leave_together(MPI_Comm comm, int code) {
   MPI_Abort(MPI_COMM_WORLD, code);
 }
 
+constexpr const rimpact::app::Verb *verbs[] = {&rimpact::app::run_verb,        &rimpact::app::check_verb,
+                                               &rimpact::app::mesh_verb,       &rimpact::app::curve_verb,
+                                               &rimpact::app::completion_verb, &rimpact::app::version_verb};
+
 } // namespace
 
 int main(int argc, char **argv) {
@@ -53,14 +57,7 @@ int main(int argc, char **argv) {
   if (n_ranks > 1) prctl(PR_SET_PDEATHSIG, SIGKILL); // a killed mpirun leaves nobody behind who would go on writing
   if (!first && (!std::freopen("/dev/null", "w", stdout) || !std::freopen("/dev/null", "w", stderr))) return 1;
   int code = 0;
-  if (first || shares)
-    code = rimpact::app::run_command(argc, argv,
-                                     {{"run", rimpact::app::add_run},
-                                      {"check", rimpact::app::add_check},
-                                      {"mesh", rimpact::app::add_mesh},
-                                      {"curve", rimpact::app::add_curve},
-                                      {"completion", rimpact::app::add_completion},
-                                      {"version", rimpact::app::add_version}});
+  if (first || shares) code = rimpact::app::run_command(argc, argv, verbs);
   std::fflush(stdout);
   if (code != 0 && n_ranks > 1) leave_together(leaving, code);
   MPI_Comm_free(&leaving);

@@ -2,6 +2,7 @@
 
 #include "files/error.h"
 #include "planning/plan_parts.h"
+#include "scene/toml_writer.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

@@ -3,6 +3,7 @@
 #include "app/set_keys.h"
 #include "files/error.h"
 #include "planning/plan.h"
+#include "planning/refusal.h"
 #include <algorithm>
 #include <fmt/format.h>
 

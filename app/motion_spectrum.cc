@@ -2,6 +2,7 @@
 #include "app/sibling.h"
 #include "files/file.h"
 #include "files/table.h"
+#include "files/table_csv.h"
 #include "records/record_library.h"
 #include "records/spectral_acceleration.h"
 #include "records/target_spectrum.h"

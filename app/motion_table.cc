@@ -1,5 +1,6 @@
 #include "app/motion_table.h"
 #include "files/error.h"
+#include "records/near_fault_pulse.h"
 #include "records/record_doubts.h"
 #include "records/record_library.h"
 #include "records/scaled_copies.h"

@@ -2,6 +2,7 @@
 
 #include "reduced_models/pad_on_dish.h"
 #include "reduced_models/physical_model.h"
+#include "reduced_models/simulate.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 
 #include "files/error.h"
 #include "responses/response.h"
-#include "responses/response_files.h"
+#include "responses/response_csv.h"
 #include <fmt/format.h>
 #include <optional>
 

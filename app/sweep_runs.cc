@@ -1,11 +1,13 @@
 #include "app/sweep_runs.h"
 
+#include "app/interrupts.h"
 #include "app/progress.h"
 #include "app/shard.h"
 #include "app/sibling.h"
 #include "app/slurm_scripts.h"
 #include "files/json_text.h"
 #include "files/text.h"
+#include "fleets/grid_arguments.h"
 #include <algorithm>
 #include <chrono>
 #include <filesystem>

@@ -1,43 +1,21 @@
-/// A verb of the command line: a function that adds its subcommand. One line each in catalogue.cc or
-/// main_fe.cc.
+/// A verb of the command line as a value: what its help says, and what it does. One file verb_NAME.cc, and its name in
+/// catalogue.h.
 #pragma once
 #include "app/console.h"
-#include <CLI/CLI.hpp>
 
 namespace rimpact::app {
 
-/// The callback set on the subcommand does the work; errors leave as rimpact::Error.
-using AddVerb = void (*)(CLI::App &app, Console &console);
-struct Verb {
-  const char *name;
-  AddVerb add;
+/// Examples: one a line. `next`: a command to go on with, {} the folder that was made, `usual` where none is named;
+/// empty: nothing follows. `next_of_sweep`: the same after --sweep.
+struct VerbText {
+  const char *name, *help, *examples, *next = "", *usual = "", *next_of_sweep = "";
 };
 
-void add_calibrate(CLI::App &app, Console &console);
-void add_check(CLI::App &app, Console &console);
-void add_compare(CLI::App &app, Console &console);
-void add_curve(CLI::App &app, Console &console);
-void add_building(CLI::App &app, Console &console);
-void add_design(CLI::App &app, Console &console);
-void add_design_page(CLI::App &app, Console &console);
-void add_export(CLI::App &app, Console &console);
-void add_geometry(CLI::App &app, Console &console);
-void add_help(CLI::App &app, Console &console);
-void add_list(CLI::App &app, Console &console);
-void add_main(CLI::App &app, Console &console);
-void add_mesh(CLI::App &app, Console &console);
-void add_motion(CLI::App &app, Console &console);
-void add_new(CLI::App &app, Console &console);
-void add_reduced(CLI::App &app, Console &console);
-void add_reliability(CLI::App &app, Console &console);
-void add_references(CLI::App &app, Console &console);
-void add_report(CLI::App &app, Console &console);
-void add_run(CLI::App &app, Console &console);
-void add_study(CLI::App &app, Console &console);
-void add_thesis(CLI::App &app, Console &console);
-void add_version(CLI::App &app, Console &console);
-
-/// Parses, runs the verb, turns every failure into one sentence and its exit code.
-int run_command(int argc, char **argv, const std::vector<Verb> &verbs);
+struct Verb {
+  VerbText text;
+  /// Adds the verb's options and the callback that does its work; errors leave as rimpact::Error. Null: the
+  /// finite-element program carries the verb out.
+  void (*add)(CLI::App &verb, Console &console) = nullptr;
+};
 
 } // namespace rimpact::app

@@ -1,10 +1,10 @@
 // rimpact building SCENE: a building on bearings, one under each of its columns, moved as the scene says.
 #include "app/bounds_runs.h"
+#include "app/catalogue.h"
 #include "app/folder_claim.h"
 #include "app/set_keys.h"
 #include "app/sibling.h"
 #include "app/sweep_runs.h"
-#include "app/verb.h"
 #include "buildings/bearing_doubts.h"
 #include "buildings/frame_doubts.h"
 #include "buildings/frame_source.h"
@@ -16,8 +16,11 @@
 #include "files/error.h"
 #include "files/file.h"
 #include "files/json_text.h"
+#include "reduced_models/simulate.h"
 #include "responses/identity.h"
 #include "responses/limits.h"
+#include "responses/run_folder.h"
+#include "scene/toml_writer.h"
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
@@ -228,31 +231,36 @@ void run_building(const BuildingOptions &options, Console &console) {
   if (s.status == RunStatus::stopped) throw SolverStopped(s.reason + "; what is before it is kept");
 }
 
+void add_building(CLI::App &verb, Console &console) {
+  auto options = std::make_shared<BuildingOptions>();
+  verb.add_option("SCENE", options->scene, "a TOML file or a built-in scene: ground motion, bearing, [reduced]")
+      ->required();
+  verb.add_option("--frame", options->frame,
+                  "thesis-2.4, thesis-3.5 and thesis-3.5-slab (linear), thesis-2.5 (inelastic, in the plane), a TOML "
+                  "file of either "
+                  "kind, or a folder of nodes.csv, elements.csv, diaphragms.csv")
+      ->capture_default_str();
+  verb.add_option("-o,--output", options->folder, "run folder (default results/<scene>-<building>)");
+  auto *vtk = verb.add_option("--vtk-step", options->vtk_step,
+                              "also fields/*.vtu and fields.pvd for ParaView, one every so many ms")
+                  ->check(CLI::Range(0.1, 1e6));
+  verb.add_flag("--png", options->picture,
+                "also draw building.png (plan with orbits, elevation at the hardest impact), of a sweep fleet.png");
+  auto *sweep = add_sweep_options(verb, options->sweep)->excludes(vtk);
+  add_bounds_option(verb, options->bounds)->excludes(sweep);
+  console.add_common(verb);
+  console.add_json(verb);
+  console.add_overrides(verb);
+  console.add_force(verb);
+  verb.callback([options, &console] { run_building(*options, console); });
+}
+
 } // namespace
 
-void add_building(CLI::App &app, Console &console) {
-  auto *verb = app.add_subcommand("building", "a building on bearings, one under each column, moved as a scene says");
-  auto options = std::make_shared<BuildingOptions>();
-  verb->add_option("SCENE", options->scene, "a TOML file or a built-in scene: ground motion, bearing, [reduced]")
-      ->required();
-  verb->add_option("--frame", options->frame,
-                   "thesis-2.4, thesis-3.5 and thesis-3.5-slab (linear), thesis-2.5 (inelastic, in the plane), a TOML "
-                   "file of either "
-                   "kind, or a folder of nodes.csv, elements.csv, diaphragms.csv")
-      ->capture_default_str();
-  verb->add_option("-o,--output", options->folder, "run folder (default results/<scene>-<building>)");
-  auto *vtk = verb->add_option("--vtk-step", options->vtk_step,
-                               "also fields/*.vtu and fields.pvd for ParaView, one every so many ms")
-                  ->check(CLI::Range(0.1, 1e6));
-  verb->add_flag("--png", options->picture,
-                 "also draw building.png (plan with orbits, elevation at the hardest impact), of a sweep fleet.png");
-  auto *sweep = add_sweep_options(*verb, options->sweep)->excludes(vtk);
-  add_bounds_option(*verb, options->bounds)->excludes(sweep);
-  console.add_common(*verb);
-  console.add_json(*verb);
-  console.add_overrides(*verb);
-  console.add_force(*verb);
-  verb->callback([options, &console] { run_building(*options, console); });
-}
+const Verb building_verb{{.name = "building",
+                          .help = "a building on bearings, one under each column, moved as a scene says",
+                          .examples = "rimpact building pulse-bidirectional -o my-building",
+                          .next = "rimpact report {}"},
+                         add_building};
 
 } // namespace rimpact::app

@@ -1,6 +1,7 @@
 // rimpact calibrate RUN...: k_i, e and others fitted to stored responses.
 #include "app/calibrate_options.h"
 #include "calibration/answer/calibration_json.h"
+#include "calibration/answer/calibration_text.h"
 #include "files/folder_lock.h"
 #include "files/json_text.h"
 #include <chrono>
@@ -9,22 +10,19 @@
 namespace rimpact::app {
 namespace {
 constexpr double worth_telling = 5; // [s]
-} // namespace
-
-void add_calibrate(CLI::App &app, Console &console) {
+void add_calibrate(CLI::App &verb, Console &console) {
   struct CalibrateOptions {
     std::vector<std::string> runs;
     std::string folder = "results/calibration";
     CalibrateWords words;
   };
-  auto *verb = app.add_subcommand("calibrate", "fit impact parameters to stored responses");
   auto options = std::make_shared<CalibrateOptions>();
-  verb->add_option("RUN", options->runs, "run folders to fit")->required();
-  verb->add_option("-o,--output", options->folder, "folder for calibration.json");
-  add_calibrate_options(*verb, options->words);
-  console.add_common(*verb);
-  console.add_json(*verb);
-  verb->callback([options, &console] {
+  verb.add_option("RUN", options->runs, "run folders to fit")->required();
+  verb.add_option("-o,--output", options->folder, "folder for calibration.json");
+  add_calibrate_options(verb, options->words);
+  console.add_common(verb);
+  console.add_json(verb);
+  verb.callback([options, &console] {
     const FolderLock lock(options->folder);
     const auto settings = calibrate_settings(options->words);
     const auto start = std::chrono::steady_clock::now();
@@ -40,5 +38,15 @@ void add_calibrate(CLI::App &app, Console &console) {
     calibration::check_gate(calibration);
   });
 }
+
+} // namespace
+
+const Verb calibrate_verb{{.name = "calibrate",
+                           .help = "fit impact parameters to stored responses",
+                           .examples = "rimpact calibrate runs/window-*/ -o my-calibration\n"
+                                       "rimpact calibrate test-07.toml --law elastoplastic --sigma force=0.02",
+                           .next = "rimpact reduced SCENE --calibration {}",
+                           .usual = "results/calibration"},
+                          add_calibrate};
 
 } // namespace rimpact::app

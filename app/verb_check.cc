@@ -1,12 +1,14 @@
 // rimpact check SCENE: geometry, scout and plan; solves nothing.
+#include "app/catalogue.h"
 #include "app/mesh_check.h"
-#include "app/verb.h"
 #include "files/error.h"
 #include "files/json_text.h"
 #include "planning/plan.h"
+#include "planning/refusal.h"
 #include "responses/identity.h"
 #include "scene/case_description.h"
 #include "scene/doubts.h"
+#include "scene/element_doubts.h"
 #include "scene/rim_identity.h"
 #include <algorithm>
 #include <fmt/format.h>
@@ -36,17 +38,39 @@ std::string sentence_of(const std::vector<scene::Assumption> &assumed) {
   return text + "\n";
 }
 
-} // namespace
+nlohmann::json table_of(const scene::Scene &scene, const planning::Plan &plan, const MeshCheck &own,
+                        const std::optional<std::string> &refusal, const Console &console) {
+  nlohmann::json table = planning::to_json(plan);
+  table["scene"] = scene.name;
+  table["bearing"] = scene.bearing.name;
+  table["rim_identity"] = scene::rim_identity(scene.bearing);
+  table["lateral_capacity_m"] = scene.bearing.lateral_capacity();
+  table["rung"] = word(scene.model.rung);
+  table["identity"] = to_json(identity_of(scene));
+  table.update(scene::case_json(scene));
+  table["assumptions"] = nlohmann::json::object();
+  for (const auto &item : scene::assumptions(scene.bearing)) table["assumptions"][item.key] = item.value;
+  table["warnings"] = console.warnings();
+  if (!own.table.is_null()) table["own_mesh"] = own.table;
+  table["refusal"] = refusal ? nlohmann::json(*refusal) : nlohmann::json(nullptr);
+  return table;
+}
 
-void add_check(CLI::App &app, Console &console) {
-  auto *verb = app.add_subcommand("check", "geometry, the scout's result and the plan; solves nothing");
+std::string text_of(const scene::Scene &scene, const planning::Plan &plan, const MeshCheck &own) {
+  return fmt::format("{}: lift at L_c {:.2f} mm; geometry can be built and nothing collides\n", scene.name,
+                     1e3 * scene::lift(scene.bearing, scene.bearing.lateral_capacity())) +
+         scene::describe_case(scene) + own.sentence + planning::describe(plan) +
+         sentence_of(scene::assumptions(scene.bearing));
+}
+
+void add_check(CLI::App &verb, Console &console) {
   auto where = std::make_shared<std::string>();
-  verb->add_option("SCENE", *where, "a TOML file or a built-in scene")->required();
-  console.add_common(*verb);
-  console.add_json(*verb);
-  console.add_overrides(*verb);
-  console.add_model(*verb);
-  verb->callback([where, &console] {
+  verb.add_option("SCENE", *where, "a TOML file or a built-in scene")->required();
+  console.add_common(verb);
+  console.add_json(verb);
+  console.add_overrides(verb);
+  console.add_model(verb);
+  verb.callback([where, &console] {
     const scene::Scene scene = console.load(*where);
     if (const auto reason = planning::beyond_rungs(scene)) throw InputError(*reason);
     const planning::Plan plan = planning::make_plan(scene);
@@ -54,33 +78,18 @@ void add_check(CLI::App &app, Console &console) {
     MeshCheck own;
     if (scene.model.own_mesh.any() && !refusal) own = check_own_mesh(scene, plan, console);
     warn_of_impacts(scene, plan, console); // here, as the light program hands own meshes over and is run again
-    const auto judge = [&refusal] {
-      if (refusal) throw InputError("`run` would refuse: " + *refusal);
-    };
-    const auto assumed = scene::assumptions(scene.bearing);
-    if (console.json) {
-      nlohmann::json table = planning::to_json(plan);
-      table["scene"] = scene.name;
-      table["bearing"] = scene.bearing.name;
-      table["rim_identity"] = scene::rim_identity(scene.bearing);
-      table["lateral_capacity_m"] = scene.bearing.lateral_capacity();
-      table["rung"] = word(scene.model.rung);
-      table["identity"] = to_json(identity_of(scene));
-      table.update(scene::case_json(scene));
-      table["assumptions"] = nlohmann::json::object();
-      for (const auto &item : assumed) table["assumptions"][item.key] = item.value;
-      table["warnings"] = console.warnings();
-      if (!own.table.is_null()) table["own_mesh"] = own.table;
-      table["refusal"] = refusal ? nlohmann::json(*refusal) : nlohmann::json(nullptr);
-      console.data(json_text(table));
-      return judge();
-    }
-    std::string text = fmt::format("{}: lift at L_c {:.2f} mm; geometry can be built and nothing collides\n",
-                                   scene.name, 1e3 * scene::lift(scene.bearing, scene.bearing.lateral_capacity()));
-    text += scene::describe_case(scene) + own.sentence + planning::describe(plan);
-    console.data(text + sentence_of(assumed));
-    judge();
+    console.data(console.json ? json_text(table_of(scene, plan, own, refusal, console)) : text_of(scene, plan, own));
+    if (refusal) throw InputError("`run` would refuse: " + *refusal);
   });
 }
+
+} // namespace
+
+const Verb check_verb{
+    {.name = "check",
+     .help = "geometry, the scout's result and the plan; solves nothing",
+     .examples = "rimpact check my-case/scene.toml\nrimpact check ricker-0.78g-1.0s --rung rigid-dish --json",
+     .next = "rimpact reduced SCENE (milliseconds), then rimpact run SCENE"},
+    add_check};
 
 } // namespace rimpact::app

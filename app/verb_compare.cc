@@ -1,12 +1,13 @@
 // rimpact compare A B [...]: what differs between scenes, then metrics between their responses; with -o, pictures.
+#include "app/catalogue.h"
 #include "app/compare_limits.h"
 #include "app/compare_picture.h"
 #include "app/compared_run.h"
-#include "app/verb.h"
 #include "calibration/data/metrics.h"
 #include "files/error.h"
 #include "files/file.h"
 #include "files/json_text.h"
+#include "scene/bearing_catalogue.h"
 #include "scene/scene.h"
 #include <fmt/format.h>
 #include <optional>
@@ -186,28 +187,34 @@ void run_compare(const CompareOptions &options, Console &console) {
   require_met(verdicts);
 }
 
-} // namespace
-
-void add_compare(CLI::App &app, Console &console) {
-  auto *verb =
-      app.add_subcommand("compare", "metrics between responses; what differs between their scenes comes first");
+void add_compare(CLI::App &verb, Console &console) {
   auto options = std::make_shared<CompareOptions>();
-  verb->add_option("RUN", options->paths,
-                   "the reference, then what is compared with it: run folders, .h5, .csv or mapping files")
+  verb.add_option("RUN", options->paths,
+                  "the reference, then what is compared with it: run folders, .h5, .csv or mapping files")
       ->required();
-  verb->add_option("-o,--output", options->folder, "a folder for pictures and one HTML page of all curves");
-  verb->add_option("--capacity-mm", options->capacity_mm, "L_c, where no scene is known");
-  verb->add_option(
+  verb.add_option("-o,--output", options->folder, "a folder for pictures and one HTML page of all curves");
+  verb.add_option("--capacity-mm", options->capacity_mm, "L_c, where no scene is known");
+  verb.add_option(
           "--max", options->limits,
           "limits as peak=5,rebound=10,time_ms=2 (per cent, but for time): exit code 5 where one is not met; of "
           "peak, displacement, approach, rebound, restitution, time_ms, rms_displacement, rms_force, rms_lateral")
       ->delimiter(',')
       ->allow_extra_args(false);
-  verb->add_option("--junit", options->junit, "a file for what came of the limits, as JUnit XML");
-  verb->add_flag("--anyway", options->anyway, "compare runs of different bearings, loads or excitations");
-  console.add_common(*verb);
-  console.add_json(*verb);
-  verb->callback([options, &console] { run_compare(*options, console); });
+  verb.add_option("--junit", options->junit, "a file for what came of the limits, as JUnit XML");
+  verb.add_flag("--anyway", options->anyway, "compare runs of different bearings, loads or excitations");
+  console.add_common(verb);
+  console.add_json(verb);
+  verb.callback([options, &console] { run_compare(*options, console); });
 }
+
+} // namespace
+
+const Verb compare_verb{{.name = "compare",
+                         .help = "metrics between responses; what differs between their scenes comes first",
+                         .examples =
+                             "rimpact compare my-run my-reduced\nrimpact compare my-run test-07.toml --json\n"
+                             "rimpact compare reference my-run --max peak=5,rebound=10,time_ms=2 --junit compare.xml",
+                         .next = "rimpact report DIR draws one of them"},
+                        add_compare};
 
 } // namespace rimpact::app

@@ -1,7 +1,7 @@
 // rimpact completion SHELL: what a shell needs to complete the command's words.
+#include "app/catalogue.h"
 #include "app/completion_scripts.h"
 #include "app/sibling.h"
-#include "app/verb.h"
 #include "files/file.h"
 #include "files/json_text.h"
 #include <algorithm>
@@ -47,16 +47,13 @@ std::vector<VerbWords> sibling_tree() {
   return tree_of(nlohmann::json::parse(text));
 }
 
-} // namespace
-
-void add_completion(CLI::App &app, Console &console) {
-  auto *verb = app.add_subcommand("completion", "the script by which bash, zsh or fish complete this command");
+void add_completion(CLI::App &verb, Console &console) {
   auto shell = std::make_shared<std::string>();
-  verb->add_option("SHELL", *shell, "bash | zsh | fish; json: the verbs and options themselves")
+  verb.add_option("SHELL", *shell, "bash | zsh | fish; json: the verbs and options themselves")
       ->required()
       ->check(CLI::IsMember({"bash", "zsh", "fish", "json"}));
-  console.add_common(*verb);
-  verb->callback([shell, &app, &console] {
+  console.add_common(verb);
+  verb.callback([shell, &app = *verb.get_parent(), &console] {
     auto verbs = command_tree(app);
     const bool is_light = std::any_of(verbs.begin(), verbs.end(), [](const auto &v) { return v.name == "list"; });
     if (is_light) // it knows the names of the finite-element verbs only
@@ -67,5 +64,12 @@ void add_completion(CLI::App &app, Console &console) {
     console.data(known ? completion_script(*known, verbs) : json_text(json_of(verbs)));
   });
 }
+
+} // namespace
+
+const Verb completion_verb{{.name = "completion",
+                            .help = "the script by which bash, zsh or fish complete this command",
+                            .examples = "rimpact completion bash > ~/.local/share/bash-completion/completions/rimpact"},
+                           add_completion};
 
 } // namespace rimpact::app

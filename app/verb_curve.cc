@@ -1,7 +1,9 @@
 // rimpact curve [BEARING]: the rim's quasi-static force curve with unloadings, flown by impact_law = "curve".
+#include "app/catalogue.h"
+#include "app/fe_verb_texts.h"
 #include "app/given_case.h"
+#include "app/interrupts.h"
 #include "app/progress.h"
-#include "app/verb.h"
 #include "fe_contact/drive/curve_push.h"
 #include "files/file.h"
 #include "files/json_text.h"
@@ -122,29 +124,29 @@ void curve(CurveOptions &options, Console &console) {
   console.data(console.json ? json_text(answer) : describe(answer));
 }
 
+void add_curve(CLI::App &verb, Console &console) {
+  auto options = std::make_shared<CurveOptions>();
+  verb.add_option("BEARING", options->bearing,
+                  "a bearing, scene or case folder: built-in or a TOML file; a scene's load.mass_kg is taken");
+  verb.add_option("-o,--output", options->folder,
+                  "folder for curve.h5, curve.csv and curve.json (default results/<bearing>-curve)");
+  verb.add_option("--mass-kg", options->mass, "supported mass that --speed is of (default: the scene's)")
+      ->check(CLI::Range(1.0, 1e9));
+  verb.add_option("--speed", options->order.speed, "fastest approach to be stopped [m/s]")
+      ->check(CLI::Range(1e-3, 10.0));
+  verb.add_option("--unloadings", options->order.unloadings, "depths to unload from")->check(CLI::Range(3, 100));
+  verb.add_flag("--held", options->order.held_only,
+                "the path with the height held alone, for windows without weight: half the time; no estimate of the "
+                "mesh's error");
+  verb.add_option("--mesh", console.mesh, "1 | 2 | 3: finer and dearer")->check(CLI::Range(0, 3));
+  console.add_common(verb);
+  console.add_json(verb);
+  console.add_force(verb);
+  verb.callback([options, &console] { curve(*options, console); });
+}
+
 } // namespace
 
-void add_curve(CLI::App &app, Console &console) {
-  auto *verb = app.add_subcommand(
-      "curve", "push a bearing's rim once for every speed: curve.h5, flown by impact_law = \"curve\"");
-  auto options = std::make_shared<CurveOptions>();
-  verb->add_option("BEARING", options->bearing,
-                   "a bearing, scene or case folder: built-in or a TOML file; a scene's load.mass_kg is taken");
-  verb->add_option("-o,--output", options->folder,
-                   "folder for curve.h5, curve.csv and curve.json (default results/<bearing>-curve)");
-  verb->add_option("--mass-kg", options->mass, "supported mass that --speed is of (default: the scene's)")
-      ->check(CLI::Range(1.0, 1e9));
-  verb->add_option("--speed", options->order.speed, "fastest approach to be stopped [m/s]")
-      ->check(CLI::Range(1e-3, 10.0));
-  verb->add_option("--unloadings", options->order.unloadings, "depths to unload from")->check(CLI::Range(3, 100));
-  verb->add_flag("--held", options->order.held_only,
-                 "the path with the height held alone, for windows without weight: half the time; no estimate of the "
-                 "mesh's error");
-  verb->add_option("--mesh", console.mesh, "1 | 2 | 3: finer and dearer")->check(CLI::Range(0, 3));
-  console.add_common(*verb);
-  console.add_json(*verb);
-  console.add_force(*verb);
-  verb->callback([options, &console] { curve(*options, console); });
-}
+const Verb curve_verb{text_of_curve, add_curve};
 
 } // namespace rimpact::app

@@ -1,5 +1,5 @@
 // rimpact design: T_eff, damping, shears, displacement and yield displacement of a friction-pendulum isolation system.
-#include "app/verb.h"
+#include "app/catalogue.h"
 #include "files/json_text.h"
 #include "reduced_models/isolation_design.h"
 #include <cmath>
@@ -58,26 +58,23 @@ std::string to_text(const DesignOptions &options, const reduced::IsolationDesign
   return text;
 }
 
-} // namespace
-
-void add_design(CLI::App &app, Console &console) {
-  auto *verb = app.add_subcommand("design", "preliminary design of a friction-pendulum system (ASCE/SEI 7-16, 17.5)");
+void add_design(CLI::App &verb, Console &console) {
   auto options = std::make_shared<DesignOptions>();
   auto &in = options->input;
-  auto *radius = verb->add_option("--radius-m", in.radius, "R of the pendulum [m]")->capture_default_str();
-  verb->add_option("--period-s", options->period, "pendulum period 2 pi sqrt(R/g) [s], in the place of R")
+  auto *radius = verb.add_option("--radius-m", in.radius, "R of the pendulum [m]")->capture_default_str();
+  verb.add_option("--period-s", options->period, "pendulum period 2 pi sqrt(R/g) [s], in the place of R")
       ->excludes(radius);
-  auto *friction = verb->add_option("--mu", in.friction, "friction coefficient")->capture_default_str();
-  auto *displacement = verb->add_option("--displacement-m", in.displacement, "D_M [m], where it is known");
-  verb->add_option("--sm1-g", in.spectral_acceleration, "S_M1 = F_v S_1 [g], from which D_M is found")
+  auto *friction = verb.add_option("--mu", in.friction, "friction coefficient")->capture_default_str();
+  auto *displacement = verb.add_option("--displacement-m", in.displacement, "D_M [m], where it is known");
+  verb.add_option("--sm1-g", in.spectral_acceleration, "S_M1 = F_v S_1 [g], from which D_M is found")
       ->excludes(displacement);
-  verb->add_option("--gamma", in.mass_ratio, "mass ratio m_s / (m_s + m_b)")->capture_default_str();
-  verb->add_option("--Ts-s", in.superstructure_period, "period of the fixed-base structure [s]: gives u_y");
-  verb->add_option("--reduction", in.reduction, "R_I")->capture_default_str();
-  verb->add_option("--weight-kN", options->weight_kN, "W [kN]: gives the shears in kN");
-  console.add_common(*verb);
-  console.add_json(*verb);
-  verb->callback([options, radius, friction, &console] {
+  verb.add_option("--gamma", in.mass_ratio, "mass ratio m_s / (m_s + m_b)")->capture_default_str();
+  verb.add_option("--Ts-s", in.superstructure_period, "period of the fixed-base structure [s]: gives u_y");
+  verb.add_option("--reduction", in.reduction, "R_I")->capture_default_str();
+  verb.add_option("--weight-kN", options->weight_kN, "W [kN]: gives the shears in kN");
+  console.add_common(verb);
+  console.add_json(verb);
+  verb.callback([options, radius, friction, &console] {
     auto &input = options->input;
     if (options->period) {
       if (!(*options->period > 0 && *options->period < 60))
@@ -96,5 +93,13 @@ void add_design(CLI::App &app, Console &console) {
     for (const auto &sentence : design.remarks) console.warn(sentence);
   });
 }
+
+} // namespace
+
+const Verb design_verb{{.name = "design",
+                        .help = "preliminary design of a friction-pendulum system (ASCE/SEI 7-16, 17.5)",
+                        .examples = "rimpact design --sm1-g 0.87 --mu 0.07 --gamma 0.75 --Ts-s 0.5 --weight-kN 853",
+                        .next = "rimpact new DIR, then a history: rimpact reduced DIR/scene.toml"},
+                       add_design};
 
 } // namespace rimpact::app

@@ -1,6 +1,6 @@
 // rimpact design-page DIR: one page with sliders over the rims that `geometry --vary` has pushed.
+#include "app/catalogue.h"
 #include "app/sibling.h"
-#include "app/verb.h"
 #include <filesystem>
 #include <fmt/format.h>
 
@@ -16,15 +16,20 @@ void run_design_page(const std::string &folder, const std::string &output, Conso
   console.data(file + "\n");
 }
 
+void add_design_page(CLI::App &verb, Console &console) {
+  auto folder = std::make_shared<std::string>(), output = std::make_shared<std::string>();
+  verb.add_option("DIR", *folder, "folder of `geometry CASE --vary ...`")->required();
+  verb.add_option("-o,--output", *output, "the HTML file (default DIR/design.html)");
+  console.add_common(verb);
+  verb.callback([folder, output, &console] { run_design_page(*folder, *output, console); });
+}
+
 } // namespace
 
-void add_design_page(CLI::App &app, Console &console) {
-  auto *verb = app.add_subcommand("design-page", "one HTML page with sliders over the rims of `geometry --vary`");
-  auto folder = std::make_shared<std::string>(), output = std::make_shared<std::string>();
-  verb->add_option("DIR", *folder, "folder of `geometry CASE --vary ...`")->required();
-  verb->add_option("-o,--output", *output, "the HTML file (default DIR/design.html)");
-  console.add_common(*verb);
-  verb->callback([folder, output, &console] { run_design_page(*folder, *output, console); });
-}
+const Verb design_page_verb{{.name = "design-page",
+                             .help = "one HTML page with sliders over the rims of `geometry --vary`",
+                             .examples = "rimpact design-page results/geometry",
+                             .next = "open the page that is named above in a browser"},
+                            add_design_page};
 
 } // namespace rimpact::app

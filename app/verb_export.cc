@@ -1,10 +1,12 @@
 // rimpact export DIR --opensees|--sap2000|--etabs|--csv: a calibrated rim, and its bearing, for other programs.
+#include "app/catalogue.h"
 #include "app/export_building.h"
 #include "app/export_scene.h"
-#include "app/verb.h"
 #include "calibration/export/comment.h"
 #include "calibration/export/csi.h"
+#include "calibration/export/law_csv.h"
 #include "calibration/export/opensees.h"
+#include "calibration/export/self_check_text.h"
 #include "files/file.h"
 #include "responses/build_version.h"
 #include "responses/response.h"
@@ -119,12 +121,12 @@ void write(const Exported &out, json table) {
     written += path + "\n", table["files"].push_back(path);
   }
   for (const auto &check : out.checks) {
-    table["self_checks"].push_back(check.json());
+    table["self_checks"].push_back(to_json(check));
     if (check.serves())
-      console.message(check.sentence());
+      console.message(sentence_of(check));
     else
-      console.warn(check.sentence());
-    for (const auto &doubt : check.doubts()) console.warn(doubt);
+      console.warn(sentence_of(check));
+    for (const auto &doubt : doubts_of(check)) console.warn(doubt);
   }
   console.data(console.json ? table.dump(2, ' ', false, json::error_handler_t::replace) + "\n" : written);
 }
@@ -177,48 +179,55 @@ void export_twin(ExportOptions options, const std::string &twin, Console &consol
   export_to(options, read_calibration(options.folder), console);
 }
 
+void run_export(ExportOptions options, Console &console) {
+  if (!(options.opensees || options.sap2000 || options.etabs || options.csv))
+    throw InputError("export: say for what, one or more of --opensees, --sap2000, --etabs, --csv");
+  if (is_building_folder(options.folder)) {
+    if (options.sap2000 || options.etabs || options.csv || !options.law.empty() || options.mass || options.load ||
+        !options.scene.empty())
+      throw InputError("export: of a building's run only its bearings for --opensees, under their own weights");
+    return export_building_bearings(options.folder, options.out.empty() ? options.folder : options.out, header(console),
+                                    console);
+  }
+  options.folder = calibration_folder(options.folder);
+  if (options.out.empty()) options.out = options.folder;
+  try {
+    export_to(options, read_calibration(options.folder), console);
+  } catch (const DataError &error) {
+    throw DataError(options.folder + ": " + error.what());
+  }
+}
+
+void add_export(CLI::App &verb, Console &console) {
+  auto options = std::make_shared<ExportOptions>();
+  verb.add_option("DIR", options->folder, "folder of a calibration, or of a run of rimpact building (--opensees)")
+      ->required();
+  verb.add_option("-o,--output", options->out, "folder to write into; default: where calibration.json lies");
+  verb.add_flag("--opensees", options->opensees, "impact.tcl and impact.py: friction pendulum and rim");
+  verb.add_flag("--sap2000", options->sap2000, "bearing.s2k: link properties, and rim-link.csv to paste");
+  verb.add_flag("--etabs", options->etabs, "bearing.e2k: link properties, and rim-link.csv to paste");
+  verb.add_flag("--csv", options->csv, "law.csv: force over penetration, loading and unloading from five depths");
+  verb.add_option("--law", options->law,
+                  "another of the ranked laws, or \"pair\": the constant pair; default: the calibration's answer");
+  verb.add_option("--mass", options->mass,
+                  "mass that the bearing carries [kg]; default: the calibration's, or W / g of --load");
+  verb.add_option("--load", options->load,
+                  "dead load W of the bearing [kN]; default: the calibration's, or m g of --mass");
+  verb.add_option("--scene", options->scene,
+                  "scene or bearing with the dish and its friction; default: that of a fitted run");
+  verb.add_flag("--anyway", options->anyway,
+                "the whole bearing also where its self-check refuses it, with its differences as doubts");
+  console.add_common(verb);
+  console.add_json(verb);
+  verb.callback([options, &console] { run_export(*options, console); });
+}
+
 } // namespace
 
-void add_export(CLI::App &app, Console &console) {
-  auto options = std::make_shared<ExportOptions>();
-  auto *verb = app.add_subcommand("export", "a calibrated bearing for other programs");
-  verb->add_option("DIR", options->folder, "folder of a calibration, or of a run of rimpact building (--opensees)")
-      ->required();
-  verb->add_option("-o,--output", options->out, "folder to write into; default: where calibration.json lies");
-  verb->add_flag("--opensees", options->opensees, "impact.tcl and impact.py: friction pendulum and rim");
-  verb->add_flag("--sap2000", options->sap2000, "bearing.s2k: link properties, and rim-link.csv to paste");
-  verb->add_flag("--etabs", options->etabs, "bearing.e2k: link properties, and rim-link.csv to paste");
-  verb->add_flag("--csv", options->csv, "law.csv: force over penetration, loading and unloading from five depths");
-  verb->add_option("--law", options->law,
-                   "another of the ranked laws, or \"pair\": the constant pair; default: the calibration's answer");
-  verb->add_option("--mass", options->mass,
-                   "mass that the bearing carries [kg]; default: the calibration's, or W / g of --load");
-  verb->add_option("--load", options->load,
-                   "dead load W of the bearing [kN]; default: the calibration's, or m g of --mass");
-  verb->add_option("--scene", options->scene,
-                   "scene or bearing with the dish and its friction; default: that of a fitted run");
-  verb->add_flag("--anyway", options->anyway,
-                 "the whole bearing also where its self-check refuses it, with its differences as doubts");
-  console.add_common(*verb);
-  console.add_json(*verb);
-  verb->callback([options, &console] {
-    if (!(options->opensees || options->sap2000 || options->etabs || options->csv))
-      throw InputError("export: say for what, one or more of --opensees, --sap2000, --etabs, --csv");
-    if (is_building_folder(options->folder)) {
-      if (options->sap2000 || options->etabs || options->csv || !options->law.empty() || options->mass ||
-          options->load || !options->scene.empty())
-        throw InputError("export: of a building's run only its bearings for --opensees, under their own weights");
-      return export_building_bearings(options->folder, options->out.empty() ? options->folder : options->out,
-                                      header(console), console);
-    }
-    options->folder = calibration_folder(options->folder);
-    if (options->out.empty()) options->out = options->folder;
-    try {
-      export_to(*options, read_calibration(options->folder), console);
-    } catch (const DataError &error) {
-      throw DataError(options->folder + ": " + error.what());
-    }
-  });
-}
+const Verb export_verb{{.name = "export",
+                        .help = "a calibrated bearing for other programs",
+                        .examples = "rimpact export results/main/calibration --opensees --csv -o for-opensees",
+                        .next = "check the first analysis against the self-check's table"},
+                       add_export};
 
 } // namespace rimpact::app

@@ -1,14 +1,16 @@
 // rimpact geometry: k_i, e, peak force and plastic strain over rim and slider dimensions, yield stress and
 // speed.
 #include "app/assignments.h"
+#include "app/catalogue.h"
 #include "app/folder_claim.h"
 #include "app/geometry_target.h"
 #include "app/geometry_vary.h"
+#include "app/interrupts.h"
 #include "app/job_runner.h"
 #include "app/run_plan.h"
 #include "app/shard.h"
 #include "app/sibling.h"
-#include "app/verb.h"
+#include "calibration/studies/geometry_results.h"
 #include "calibration/studies/wanted_pair.h"
 #include "files/file.h"
 #include "files/json_text.h"
@@ -135,46 +137,52 @@ void answer(const GeometryOptions &options, const CLI::App &verb, Console &conso
            console);
 }
 
-} // namespace
-
-void add_geometry(CLI::App &app, Console &console) {
-  auto *verb =
-      app.add_subcommand("geometry", "force, depth, rebound and strain over a rim's dimension, and which of them "
-                                     "meets a target (--vary); or k_i and e over samples of them all");
+void add_geometry(CLI::App &verb, Console &console) {
   auto options = std::make_shared<GeometryOptions>();
-  verb->add_option("BEARING", options->bearing,
-                   "a bearing, scene or case folder: built-in or a TOML file; a scene's load and settings are taken")
+  verb.add_option("BEARING", options->bearing,
+                  "a bearing, scene or case folder: built-in or a TOML file; a scene's load and settings are taken")
       ->capture_default_str();
-  verb->add_option("-o,--output", options->folder, "results folder")->capture_default_str();
-  verb->add_option("--vary", options->vary.vary,
-                   "KEY=LOW:HIGH[:N] of a bearing's key, as rim.thickness_mm=20:80: N (3) rims are pushed; repeatable")
+  verb.add_option("-o,--output", options->folder, "results folder")->capture_default_str();
+  verb.add_option("--vary", options->vary.vary,
+                  "KEY=LOW:HIGH[:N] of a bearing's key, as rim.thickness_mm=20:80: N (3) rims are pushed; repeatable")
       ->allow_extra_args(false);
-  verb->add_option("--at", options->vary.at, "speed=V: the speed of approach that --vary asks at [m/s]")
+  verb.add_option("--at", options->vary.at, "speed=V: the speed of approach that --vary asks at [m/s]")
       ->allow_extra_args(false);
-  verb->add_option("--target", options->vary.targets,
-                   "NAME=MOST of peak_kN, depth_mm, rebound_m_per_s, strain, rim_foot_use: which of the rims of --vary "
-                   "meets it; repeatable")
+  verb.add_option("--target", options->vary.targets,
+                  "NAME=MOST of peak_kN, depth_mm, rebound_m_per_s, strain, rim_foot_use: which of the rims of --vary "
+                  "meets it; repeatable")
       ->allow_extra_args(false);
-  verb->add_flag("--no-proof", options->no_proof, "without the solid run of the rim that --vary answers with");
-  verb->add_option("--mesh", console.mesh, "1 | 2 | 3: finer and dearer")->check(CLI::Range(0, 3));
-  verb->add_option("--jobs", options->jobs, "runs side by side (default: one a core)")->check(CLI::Range(1, 64));
-  verb->add_flag("--dry-run", options->dry_run, "list the runs and the time they take, and stop");
-  verb->add_option("--samples", options->study.samples, "impacts by finite elements, about a minute each")
+  verb.add_flag("--no-proof", options->no_proof, "without the solid run of the rim that --vary answers with");
+  verb.add_option("--mesh", console.mesh, "1 | 2 | 3: finer and dearer")->check(CLI::Range(0, 3));
+  verb.add_option("--jobs", options->jobs, "runs side by side (default: one a core)")->check(CLI::Range(1, 64));
+  verb.add_flag("--dry-run", options->dry_run, "list the runs and the time they take, and stop");
+  verb.add_option("--samples", options->study.samples, "impacts by finite elements, about a minute each")
       ->capture_default_str();
-  verb->add_option("--range", options->ranges,
-                   "NAME=LOW:HIGH of rim_height, rim_thickness, slider_diameter, contact_band "
-                   "(mm), yield_stress, tangent_modulus (MPa), speed (m/s); repeatable");
-  verb->add_option("--strain-limit", options->study.strain_limit, "plastic strain at which a rim counts as lost")
+  verb.add_option("--range", options->ranges,
+                  "NAME=LOW:HIGH of rim_height, rim_thickness, slider_diameter, contact_band "
+                  "(mm), yield_stress, tangent_modulus (MPa), speed (m/s); repeatable");
+  verb.add_option("--strain-limit", options->study.strain_limit, "plastic strain at which a rim counts as lost")
       ->capture_default_str();
-  verb->add_option("--pair", options->pair, "K_I,E (kN/m, -): which of the rims return this pair, and at what speed")
+  verb.add_option("--pair", options->pair, "K_I,E (kN/m, -): which of the rims return this pair, and at what speed")
       ->expected(2)
       ->delimiter(',');
-  verb->add_option("--shard", options->shard, "I/N: every N-th run from the I-th on, with the same -o");
-  console.add_common(*verb);
-  console.add_json(*verb);
-  console.add_overrides(*verb);
-  console.add_force(*verb);
-  verb->callback([options, verb, &console] { answer(*options, *verb, console); });
+  verb.add_option("--shard", options->shard, "I/N: every N-th run from the I-th on, with the same -o");
+  console.add_common(verb);
+  console.add_json(verb);
+  console.add_overrides(verb);
+  console.add_force(verb);
+  verb.callback([options, &verb, &console] { answer(*options, verb, console); });
 }
+
+} // namespace
+
+const Verb geometry_verb{
+    {.name = "geometry",
+     .help = "force, depth, rebound and strain over a rim's dimension, and which of them "
+             "meets a target (--vary); or k_i and e over samples of them all",
+     .examples = "rimpact geometry my-case --vary rim.thickness_mm=20:80 --at speed=0.8 --target peak_kN=4000\n"
+                 "rimpact geometry my-case/bearing.toml --samples 40 --range speed=0.1:0.6 -o my-study",
+     .next = "rimpact report {}"},
+    add_geometry};
 
 } // namespace rimpact::app

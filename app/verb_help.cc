@@ -3,25 +3,23 @@
 #include <algorithm>
 
 namespace rimpact::app {
+namespace {
 
-void add_help(CLI::App &app, Console &console) {
-  auto *verb = app.add_subcommand("help", "a verb's options, examples and exit codes");
+void add_help(CLI::App &verb, Console &console) {
   std::vector<std::string> names;
-  for (const auto &each : light_verbs()) names.emplace_back(each.name);
-  verb->add_option("VERB", "whose; without it, all verbs")->check(CLI::IsMember(names));
-  console.add_common(*verb);
-  verb->callback([&app, &console] { // app.help() would be that of the verb that was parsed, which is this one
+  for (const Verb *each : light_verbs()) names.emplace_back(each->text.name);
+  verb.add_option("VERB", "whose; without it, all verbs")->check(CLI::IsMember(names));
+  console.add_common(verb);
+  verb.callback([&app = *verb.get_parent(), &console] { // app.help() would be that of the verb that was parsed
     console.data(app.get_formatter()->make_help(&app, app.get_name(), CLI::AppFormatMode::Normal));
   });
 }
 
-std::vector<std::string> without_help(int argc, char **argv) {
-  std::vector<std::string> words(argv, argv + argc);
-  const auto &verbs = light_verbs();
-  const auto is_verb = [&](const Verb &each) { return words[2] == each.name; };
-  if (argc == 3 && words[1] == "help" && std::any_of(verbs.begin(), verbs.end(), is_verb))
-    words = {words[0], words[2], "--help"};
-  return words;
-}
+} // namespace
+
+const Verb help_verb{{.name = "help",
+                      .help = "a verb's options, examples and exit codes",
+                      .examples = "rimpact help\nrimpact help calibrate"},
+                     add_help};
 
 } // namespace rimpact::app

@@ -1,10 +1,11 @@
 // rimpact list: what there is to choose from, and what keys, signals, columns, files and exit codes mean.
+#include "app/catalogue.h"
 #include "app/file_keys.h"
 #include "app/result_catalogue.h"
-#include "app/verb.h"
 #include "files/json_text.h"
 #include "impact_laws/catalogue.h"
 #include "reduced_models/catalogue.h"
+#include "scene/bearing_catalogue.h"
 #include "scene/isolator_catalogue.h"
 #include "scene/scene.h"
 #include "scene/steel_grades.h"
@@ -159,18 +160,14 @@ const std::vector<Kind> &kinds() {
   return all;
 }
 
-} // namespace
-
-void add_list(CLI::App &app, Console &console) {
-  auto *verb = app.add_subcommand(
-      "list", "bearings, scenes, models, laws, materials, rungs; keys, steels, signals, columns, files, exit-codes");
+void add_list(CLI::App &verb, Console &console) {
   auto what = std::make_shared<std::string>();
   std::vector<std::string> names{"keys"};
   for (const auto &kind : kinds()) names.push_back(kind.name);
-  verb->add_option("WHAT", *what, "one of them; without, the first six")->check(CLI::IsMember(names));
-  console.add_common(*verb);
-  console.add_json(*verb);
-  verb->callback([what, &console] {
+  verb.add_option("WHAT", *what, "one of them; without, the first six")->check(CLI::IsMember(names));
+  console.add_common(verb);
+  console.add_json(verb);
+  verb.callback([what, &console] {
     if (*what == "keys") return print_keys(console);
     nlohmann::ordered_json all;
     for (const auto &kind : kinds()) {
@@ -184,5 +181,14 @@ void add_list(CLI::App &app, Console &console) {
     if (console.json) console.data(json_text(all));
   });
 }
+
+} // namespace
+
+const Verb list_verb{
+    {.name = "list",
+     .help = "bearings, scenes, models, laws, materials, rungs; keys, steels, signals, columns, files, exit-codes",
+     .examples = "rimpact list\nrimpact list keys\nrimpact list laws --json",
+     .next = "rimpact new DIR"},
+    add_list};
 
 } // namespace rimpact::app

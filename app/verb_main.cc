@@ -1,12 +1,13 @@
 // rimpact main: from a bearing to its impact law, with a report.
 #include "app/calibrate_options.h"
+#include "app/catalogue.h"
 #include "app/document_options.h"
 #include "app/early_answer.h"
 #include "app/folder_claim.h"
+#include "app/interrupts.h"
 #include "app/job_runner.h"
 #include "app/main_results.h"
 #include "app/sibling.h"
-#include "app/verb.h"
 #include "files/json_text.h"
 #include "files/text.h"
 #include "responses/identity.h"
@@ -123,45 +124,53 @@ void run_main(MainOptions options, Console &console) {
   if (results.failure) std::rethrow_exception(results.failure);
 }
 
-} // namespace
-
-void add_main(CLI::App &app, Console &console) {
-  auto *verb = app.add_subcommand("main", "the main job: rim impacts by FE, calibration, comparison, report");
+void add_main(CLI::App &verb, Console &console) {
   auto options = std::make_shared<MainOptions>();
-  verb->add_option(
+  verb.add_option(
           "SCENE", options->target,
           "a scene or bearing: built-in, a TOML file, or a case folder of `new`; its load and settings are taken")
       ->capture_default_str();
-  verb->add_option("-o,--output", options->folder, "results folder")->capture_default_str();
-  verb->add_option("--speeds", options->choices.speeds, "of the windows [m/s]")
+  verb.add_option("-o,--output", options->folder, "results folder")->capture_default_str();
+  verb.add_option("--speeds", options->choices.speeds, "of the windows [m/s]")
       ->delimiter(',')
       ->check(CLI::PositiveNumber)
       ->allow_extra_args(false)
       ->capture_default_str();
-  verb->add_flag("--windows-only", options->choices.windows_only, "no pulses");
-  verb->add_flag("--bidirectional", options->choices.bidirectional,
-                 "also a motion in two directions (pulse-bidirectional), predicted");
-  verb->add_flag_function(
+  verb.add_flag("--windows-only", options->choices.windows_only, "no pulses");
+  verb.add_flag("--bidirectional", options->choices.bidirectional,
+                "also a motion in two directions (pulse-bidirectional), predicted");
+  verb.add_flag_function(
       "--twins,!--no-twins", [options](std::int64_t count) { options->choices.twins = count > 0; },
       "windows with the other steel too, without its strain rate and with it (default: for a bearing of yours)");
-  verb->add_option("--pulse-speeds", options->pulse_speeds,
-                   "LOW:HIGH [m/s], speeds at the rim for which the pulses' scales are chosen (0.05:0.6 for a bearing "
-                   "or load of yours)");
-  verb->add_option("--until", options->until,
-                   "per cent, e.g. 5%: begin no further window or pulse once peak force and rebound of windows left "
-                   "out of the fit are met so well");
-  verb->add_option("--jobs", options->at_once, "runs at a time (default: the cores this process may use)")
+  verb.add_option("--pulse-speeds", options->pulse_speeds,
+                  "LOW:HIGH [m/s], speeds at the rim for which the pulses' scales are chosen (0.05:0.6 for a bearing "
+                  "or load of yours)");
+  verb.add_option("--until", options->until,
+                  "per cent, e.g. 5%: begin no further window or pulse once peak force and rebound of windows left "
+                  "out of the fit are met so well");
+  verb.add_option("--jobs", options->at_once, "runs at a time (default: the cores this process may use)")
       ->check(CLI::Range(1, 256));
-  verb->add_flag("--dry-run", options->dry_run, "list the runs and the time they take, and stop");
-  verb->add_option("--laws", options->laws, "impact laws to rank in the report: all, none or names")
+  verb.add_flag("--dry-run", options->dry_run, "list the runs and the time they take, and stop");
+  verb.add_option("--laws", options->laws, "impact laws to rank in the report: all, none or names")
       ->capture_default_str();
-  add_document_options(*verb, options->document);
-  console.add_common(*verb);
-  console.add_json(*verb);
-  console.add_overrides(*verb);
-  console.add_model(*verb);
-  console.add_force(*verb);
-  verb->callback([options, &console] { run_main(*options, console); });
+  add_document_options(verb, options->document);
+  console.add_common(verb);
+  console.add_json(verb);
+  console.add_overrides(verb);
+  console.add_model(verb);
+  console.add_force(verb);
+  verb.callback([options, &console] { run_main(*options, console); });
 }
+
+} // namespace
+
+const Verb main_verb{{.name = "main",
+                      .help = "the main job: rim impacts by FE, calibration, comparison, report",
+                      .examples = "rimpact main\n"
+                                  "rimpact main my-case -o my-case/main --title \"Rim impact\"\n"
+                                  "rimpact main my-case/bearing.toml --set load.vertical_kN=2000 --dry-run",
+                      .next = "rimpact export {}/calibration --opensees --csv",
+                      .usual = "results/main"},
+                     add_main};
 
 } // namespace rimpact::app

@@ -1,9 +1,10 @@
 // rimpact mesh BEARING -o FILE.msh, or of a scene's run
+#include "app/catalogue.h"
+#include "app/fe_verb_texts.h"
 #include "app/given_case.h"
 #include "app/mesh_check.h"
 #include "app/set_keys.h"
 #include "app/sibling.h"
-#include "app/verb.h"
 #include "fe_contact/drive/run.h"
 #include "files/json_text.h"
 #include "meshes/rim_mesh.h"
@@ -58,25 +59,22 @@ meshes::HexMesh scene_mesh(const MeshOptions &options, scene::Scene &scene, Cons
   return fe::mesh_of(scene, planning::make_plan(scene));
 }
 
-} // namespace
-
-void add_mesh(CLI::App &app, Console &console) {
-  auto *verb = app.add_subcommand("mesh", "mesh the rim sector and the slider of a bearing");
+void add_mesh(CLI::App &verb, Console &console) {
   auto options = std::make_shared<MeshOptions>();
-  verb->add_option("BEARING", options->bearing, "a TOML file or a built-in bearing (default: shfps-225)");
-  verb->add_option("--scene", options->scene,
-                   "instead: what a scene's run is solved on, by any rung, own meshes included");
-  verb->add_option("-o,--output", options->file, "the .msh file to write")->required();
-  verb->add_option("--png", options->picture, "a picture of the mesh");
-  verb->add_flag(
+  verb.add_option("BEARING", options->bearing, "a TOML file or a built-in bearing (default: shfps-225)");
+  verb.add_option("--scene", options->scene,
+                  "instead: what a scene's run is solved on, by any rung, own meshes included");
+  verb.add_option("-o,--output", options->file, "the .msh file to write")->required();
+  verb.add_option("--png", options->picture, "a picture of the mesh");
+  verb.add_flag(
       "--curved", options->curved,
       "27-node cells with the exact surfaces, not straight 8-node ones: what [model.own_mesh] takes back as it was");
-  verb->add_flag("--whole", options->whole, "not just the symmetric half");
-  console.add_common(*verb);
-  console.add_json(*verb);
-  console.add_overrides(*verb);
-  console.add_model(*verb);
-  verb->callback([options, &console] {
+  verb.add_flag("--whole", options->whole, "not just the symmetric half");
+  console.add_common(verb);
+  console.add_json(verb);
+  console.add_overrides(verb);
+  console.add_model(verb);
+  verb.callback([options, &console] {
     if (!console.calibration.empty()) throw InputError("--calibration: a mesh has no impact element");
     std::error_code none;
     for (const auto &input : {options->bearing, options->scene})
@@ -98,5 +96,9 @@ void add_mesh(CLI::App &app, Console &console) {
                                    options->file, q.n_cells, q.n_nodes, q.min_scaled_jacobian, q.worst_aspect));
   });
 }
+
+} // namespace
+
+const Verb mesh_verb{text_of_mesh, add_mesh};
 
 } // namespace rimpact::app

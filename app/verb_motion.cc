@@ -1,9 +1,9 @@
 // rimpact motion FILE|FOLDER...: what is in records.
+#include "app/catalogue.h"
 #include "app/motion_choice.h"
 #include "app/motion_spectrum.h"
 #include "app/motion_table.h"
 #include "app/sibling.h"
-#include "app/verb.h"
 #include "files/file.h"
 #include "files/json_text.h"
 #include "records/record_corrections.h"
@@ -180,27 +180,32 @@ void add_choices(CLI::App &verb, const std::shared_ptr<MotionOptions> &options) 
   rotated->needs(strike);
 }
 
+void add_motion(CLI::App &verb, Console &console) {
+  auto options = std::make_shared<MotionOptions>();
+  verb.add_option("FILE", options->names,
+                  "records of any form, FILE#2 for a channel, or folders and zip archives of them")
+      ->required();
+  verb.add_option("--png", options->picture, "folder for a plot of each record");
+  verb.add_flag("--ask", options->ask,
+                "writes records.csv into a folder, or beside an archive: stations and directions, to be corrected");
+  verb.add_option("--period", options->period, "S_a at this period [s] with 5 % damping, of pairs RotD50 and RotD100")
+      ->check(CLI::Range(0.01, 100.0));
+  verb.add_option("--spectrum", options->spectra,
+                  "folder for spectrum.csv and .png: S_a with 5 % damping of each record, RotD50 and RotD100 of pairs");
+  verb.add_option("--baseline", options->corrected, "folder for each record with its baseline corrected, as CSV");
+  add_choices(verb, options);
+  console.add_common(verb);
+  console.add_json(verb);
+  verb.callback([options, &console] { look_at_motions(*options, console); });
+}
+
 } // namespace
 
-void add_motion(CLI::App &app, Console &console) {
-  auto *verb = app.add_subcommand("motion", "what is in ground-motion records, or in a folder of them");
-  auto options = std::make_shared<MotionOptions>();
-  verb->add_option("FILE", options->names,
-                   "records of any form, FILE#2 for a channel, or folders and zip archives of them")
-      ->required();
-  verb->add_option("--png", options->picture, "folder for a plot of each record");
-  verb->add_flag("--ask", options->ask,
-                 "writes records.csv into a folder, or beside an archive: stations and directions, to be corrected");
-  verb->add_option("--period", options->period, "S_a at this period [s] with 5 % damping, of pairs RotD50 and RotD100")
-      ->check(CLI::Range(0.01, 100.0));
-  verb->add_option(
-      "--spectrum", options->spectra,
-      "folder for spectrum.csv and .png: S_a with 5 % damping of each record, RotD50 and RotD100 of pairs");
-  verb->add_option("--baseline", options->corrected, "folder for each record with its baseline corrected, as CSV");
-  add_choices(*verb, options);
-  console.add_common(*verb);
-  console.add_json(*verb);
-  verb->callback([options, &console] { look_at_motions(*options, console); });
-}
+const Verb motion_verb{
+    {.name = "motion",
+     .help = "what is in ground-motion records, or in a folder of them",
+     .examples = "rimpact motion record.AT2\nrimpact motion x.AT2 y.AT2 --json\nrimpact motion my-records",
+     .next = "rimpact reduced SCENE --set excitation.kind=record --set excitation.x=FILE"},
+    add_motion};
 
 } // namespace rimpact::app

@@ -1,5 +1,5 @@
 // rimpact new DIR: a commented case folder.
-#include "app/verb.h"
+#include "app/catalogue.h"
 #include "files/file.h"
 #include "responses/response.h"
 #include "scene/new_case.h"
@@ -16,19 +16,16 @@ std::string name_of(const std::string &folder) {
   return (path.has_filename() ? path : path.parent_path()).filename().string();
 }
 
-} // namespace
-
-void add_new(CLI::App &app, Console &console) {
+void add_new(CLI::App &verb, Console &console) {
   struct NewOptions {
     std::string folder, bearing = "shfps-225", scene = "ricker-0.78g-1.0s";
   };
-  auto *verb = app.add_subcommand("new", "a commented case folder: bearing.toml, scene.toml");
   auto options = std::make_shared<NewOptions>();
-  verb->add_option("DIR", options->folder, "the folder to make")->required();
-  verb->add_option("--bearing", options->bearing, "a built-in bearing");
-  verb->add_option("--scene", options->scene, "a built-in scene");
-  console.add_common(*verb);
-  verb->callback([options, &console] {
+  verb.add_option("DIR", options->folder, "the folder to make")->required();
+  verb.add_option("--bearing", options->bearing, "a built-in bearing");
+  verb.add_option("--scene", options->scene, "a built-in scene");
+  console.add_common(verb);
+  verb.callback([options, &console] {
     const auto files = scene::new_case(name_of(options->folder), options->bearing, options->scene);
     std::error_code error;
     std::filesystem::create_directories(options->folder, error);
@@ -45,5 +42,12 @@ void add_new(CLI::App &app, Console &console) {
     console.data(options->folder + "/scene.toml\n");
   });
 }
+
+} // namespace
+
+const Verb new_verb{{.name = "new",
+                     .help = "a commented case folder: bearing.toml, scene.toml",
+                     .examples = "rimpact new my-case\nrimpact new my-case --scene impact-window"},
+                    add_new};
 
 } // namespace rimpact::app

@@ -1,16 +1,18 @@
 // rimpact reduced SCENE: a scene by the reduced model, or a fleet of them (--sweep).
 #include "app/bounds_runs.h"
+#include "app/catalogue.h"
 #include "app/folder_claim.h"
 #include "app/impact_words.h"
 #include "app/sibling.h"
 #include "app/sweep_runs.h"
-#include "app/verb.h"
 #include "files/error.h"
 #include "files/json_text.h"
 #include "reduced_models/integrator_check.h"
 #include "reduced_models/node_kinematics.h"
 #include "reduced_models/physical_model.h"
 #include "reduced_models/run_doubts.h"
+#include "reduced_models/simulate.h"
+#include "responses/run_folder.h"
 #include "scene/case_description.h"
 #include "scene/doubts.h"
 #include <cmath>
@@ -81,27 +83,24 @@ void run_reduced(const ReducedOptions &options, Console &console) {
   if (s.status == RunStatus::stopped) throw SolverStopped(s.reason + "; what is before it is kept");
 }
 
-} // namespace
-
-void add_reduced(CLI::App &app, Console &console) {
-  auto *verb = app.add_subcommand("reduced", "a scene by the reduced model, in about a millisecond");
+void add_reduced(CLI::App &verb, Console &console) {
   auto options = std::make_shared<ReducedOptions>();
-  verb->add_option("SCENE", options->scene, "a TOML file or a built-in scene")->required();
-  verb->add_option("-o,--output", options->folder, "run folder (default results/<scene>-reduced)");
-  auto *nodes = verb->add_option("--nodes", options->nodes,
-                                 "BELOW,ABOVE: also the moments at nodes so many mm from the dish's vertex (P-Delta)")
+  verb.add_option("SCENE", options->scene, "a TOML file or a built-in scene")->required();
+  verb.add_option("-o,--output", options->folder, "run folder (default results/<scene>-reduced)");
+  auto *nodes = verb.add_option("--nodes", options->nodes,
+                                "BELOW,ABOVE: also the moments at nodes so many mm from the dish's vertex (P-Delta)")
                     ->delimiter(',')
                     ->expected(2)
                     ->check(CLI::Range(0.0, 1e5));
-  verb->add_option("--model", options->model, "see rimpact list models");
-  verb->add_flag("--png", options->picture, "also draw response.png, of a sweep fleet.png");
-  auto *sweep = add_sweep_options(*verb, options->sweep)->excludes(nodes);
-  add_bounds_option(*verb, options->bounds)->excludes(sweep);
-  console.add_common(*verb);
-  console.add_json(*verb);
-  console.add_overrides(*verb);
-  console.add_force(*verb);
-  verb->callback([options, &console] {
+  verb.add_option("--model", options->model, "see rimpact list models");
+  verb.add_flag("--png", options->picture, "also draw response.png, of a sweep fleet.png");
+  auto *sweep = add_sweep_options(verb, options->sweep)->excludes(nodes);
+  add_bounds_option(verb, options->bounds)->excludes(sweep);
+  console.add_common(verb);
+  console.add_json(verb);
+  console.add_overrides(verb);
+  console.add_force(verb);
+  verb.callback([options, &console] {
     if (!options->model.empty()) console.overrides.push_back("reduced.model=\"" + options->model + "\"");
     if (!options->sweep.sweep.empty())
       return sweep_runs(options->sweep,
@@ -113,5 +112,17 @@ void add_reduced(CLI::App &app, Console &console) {
     run_reduced(*options, console);
   });
 }
+
+} // namespace
+
+const Verb reduced_verb{{.name = "reduced",
+                         .help = "a scene by the reduced model, in about a millisecond",
+                         .examples =
+                             "rimpact reduced ricker-0.78g-1.0s --set excitation.scale=1.05 -o my-run --png\n"
+                             "rimpact reduced my-case/scene.toml --calibration my-case/main/calibration\n"
+                             "rimpact reduced my-case/scene.toml --sweep excitation.scale=0.8:1.2:9 -o my-sweep",
+                         .next = "rimpact report {}",
+                         .next_of_sweep = "rimpact.load_fleet(FOLDER) in Python reads its table.csv"},
+                        add_reduced};
 
 } // namespace rimpact::app

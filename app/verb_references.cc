@@ -1,7 +1,7 @@
 // rimpact references: the finite-element references that are kept with the program, made again and held against what is
 // kept.
+#include "app/catalogue.h"
 #include "app/sibling.h"
-#include "app/verb.h"
 
 namespace rimpact::app {
 namespace {
@@ -27,19 +27,26 @@ void run_references(const ReferencesOptions &options, Console &console) {
   if (code != 0) throw IoError("the references were not finished");
 }
 
+void add_references(CLI::App &verb, Console &console) {
+  auto options = std::make_shared<ReferencesOptions>();
+  verb.add_option("NAME", options->names, "window-0.20, pulse-0.78g-1.05, ...; all without a name");
+  verb.add_flag("--list", options->list, "what is kept and what it cost; makes nothing");
+  verb.add_option("-o,--output", options->folder,
+                  "folder of their run folders and references.json; an interrupted job goes on there")
+      ->capture_default_str();
+  console.add_common(verb);
+  console.add_json(verb);
+  verb.callback([options, &console] { run_references(*options, console); });
+}
+
 } // namespace
 
-void add_references(CLI::App &app, Console &console) {
-  auto *verb = app.add_subcommand("references", "the kept finite-element references, made again: cost, and what moved");
-  auto options = std::make_shared<ReferencesOptions>();
-  verb->add_option("NAME", options->names, "window-0.20, pulse-0.78g-1.05, ...; all without a name");
-  verb->add_flag("--list", options->list, "what is kept and what it cost; makes nothing");
-  verb->add_option("-o,--output", options->folder,
-                   "folder of their run folders and references.json; an interrupted job goes on there")
-      ->capture_default_str();
-  console.add_common(*verb);
-  console.add_json(*verb);
-  verb->callback([options, &console] { run_references(*options, console); });
-}
+const Verb references_verb{
+    {.name = "references",
+     .help = "the kept finite-element references, made again: cost, and what moved",
+     .examples = "rimpact references --list\nrimpact references window-0.20 pulse-0.78g-1.05 -o again",
+     .next = "rimpact calibrate {}/window-*",
+     .usual = "results/references"},
+    add_references};
 
 } // namespace rimpact::app

@@ -1,15 +1,17 @@
 // rimpact reliability STUDY: fleets of systems under records of every level, fragility, hazard, probability, report.
+#include "app/catalogue.h"
+#include "app/interrupts.h"
 #include "app/memory.h"
 #include "app/progress.h"
 #include "app/shard.h"
 #include "app/sibling.h"
 #include "app/slurm_scripts.h"
-#include "app/verb.h"
 #include "files/folder_lock.h"
 #include "files/json_text.h"
 #include "records/record_library.h"
 #include "risk/plan.h"
 #include "risk/results.h"
+#include "risk/study_reader.h"
 #include <algorithm>
 #include <fmt/format.h>
 #include <limits>
@@ -135,6 +137,24 @@ void show_plan(const risk::Study &study, const risk::Systems &systems, const ris
   console.data(console.json ? json_text(risk::to_json(plan)) : risk::describe(plan));
 }
 
+/// Of the runs gathered: results, report, what to say.
+void evaluate(const ReliabilityOptions &options, const risk::Study &study, const risk::Systems &systems,
+              const risk::Motions &motions, const risk::CampaignResult &done, Console &console) {
+  const FolderLock lock(options.folder, "results");
+  ProgressLine line(console.quiet);
+  auto results = risk::evaluate_study(study, systems, motions, options.folder, [&](std::size_t n) {
+    line.show(fmt::format("{} of {} systems evaluated", n, systems.size()));
+  });
+  line.finish();
+  warn_of(results.summary["doubts"].get<std::vector<std::string>>(), motions.doubts.size(), console);
+  results.summary["wall_time_s"] = done.seconds;
+  results.summary["n_runs"] = done.runs, results.summary["kept"] = done.kept;
+  risk::write_results(results, options.folder);
+  if (!options.no_report && python({"report.reliability", options.folder}) != 0)
+    console.warn("the report in " + options.folder + " was not made");
+  console.data(console.json ? json_text(results.summary) : describe(results, options.folder));
+}
+
 void run_reliability(ReliabilityOptions options, Console &console) {
   risk::Study study = risk::read_study(options.study);
   if (!options.table.empty()) {
@@ -162,44 +182,37 @@ void run_reliability(ReliabilityOptions options, Console &console) {
     return console.data(ran);
   }
   console.message(ran);
-  const FolderLock lock(options.folder, "results");
-  ProgressLine line(console.quiet);
-  auto results = risk::evaluate_study(study, systems, motions, options.folder, [&](std::size_t n) {
-    line.show(fmt::format("{} of {} systems evaluated", n, systems.size()));
-  });
-  line.finish();
-  warn_of(results.summary["doubts"].get<std::vector<std::string>>(), motions.doubts.size(), console);
-  results.summary["wall_time_s"] = done.seconds;
-  results.summary["n_runs"] = done.runs, results.summary["kept"] = done.kept;
-  risk::write_results(results, options.folder);
-  if (!options.no_report && python({"report.reliability", options.folder}) != 0)
-    console.warn("the report in " + options.folder + " was not made");
-  console.data(console.json ? json_text(results.summary) : describe(results, options.folder));
+  evaluate(options, study, systems, motions, done, console);
+}
+
+void add_reliability(CLI::App &verb, Console &console) {
+  auto options = std::make_shared<ReliabilityOptions>();
+  verb.add_option("STUDY", options->study, "a study file (docs/guide/reliability.md)")->required();
+  verb.add_option("-o,--output", options->folder, "results folder (default results/STUDY); finished runs are kept");
+  verb.add_option("--records", options->records,
+                  "a folder of records, besides the study's own (repeatable); where neither names one, that of "
+                  "RIMPACT_RECORDS")
+      ->allow_extra_args(false);
+  verb.add_option("--table", options->table, "the table of motions, in place of the study's motions.table");
+  verb.add_option("--shard", options->shard, "I/N: every N-th system from the I-th on, with the same -o");
+  add_slurm(verb, options->slurm);
+  verb.add_option("--threads,--jobs", options->n_threads, "default: as many as the machine has")
+      ->check(CLI::Range(1, 1024));
+  verb.add_flag("--dry-run", options->dry_run, "the plan: runs, hours, memory, files, shards");
+  verb.add_flag("--no-report", options->no_report, "leaves report.html out");
+  verb.add_flag("--resume", options->resume, "what a study always does: finished runs are kept");
+  console.add_common(verb);
+  console.add_json(verb);
+  console.add_force(verb);
+  verb.callback([options, &console] { run_reliability(*options, console); });
 }
 
 } // namespace
 
-void add_reliability(CLI::App &app, Console &console) {
-  auto *verb = app.add_subcommand("reliability", "fragility, hazard and probability in 50 years of many systems");
-  auto options = std::make_shared<ReliabilityOptions>();
-  verb->add_option("STUDY", options->study, "a study file (docs/guide/reliability.md)")->required();
-  verb->add_option("-o,--output", options->folder, "results folder (default results/STUDY); finished runs are kept");
-  verb->add_option("--records", options->records,
-                   "a folder of records, besides the study's own (repeatable); where neither names one, that of "
-                   "RIMPACT_RECORDS")
-      ->allow_extra_args(false);
-  verb->add_option("--table", options->table, "the table of motions, in place of the study's motions.table");
-  verb->add_option("--shard", options->shard, "I/N: every N-th system from the I-th on, with the same -o");
-  add_slurm(*verb, options->slurm);
-  verb->add_option("--threads,--jobs", options->n_threads, "default: as many as the machine has")
-      ->check(CLI::Range(1, 1024));
-  verb->add_flag("--dry-run", options->dry_run, "the plan: runs, hours, memory, files, shards");
-  verb->add_flag("--no-report", options->no_report, "leaves report.html out");
-  verb->add_flag("--resume", options->resume, "what a study always does: finished runs are kept");
-  console.add_common(*verb);
-  console.add_json(*verb);
-  console.add_force(*verb);
-  verb->callback([options, &console] { run_reliability(*options, console); });
-}
+const Verb reliability_verb{{.name = "reliability",
+                             .help = "fragility, hazard and probability in 50 years of many systems",
+                             .examples = "rimpact reliability my-study",
+                             .next = "rimpact report {}"},
+                            add_reliability};
 
 } // namespace rimpact::app

@@ -1,6 +1,6 @@
 // rimpact report DIR: one self-contained HTML file whose first page can be sent, and a PDF of it.
+#include "app/catalogue.h"
 #include "app/sibling.h"
-#include "app/verb.h"
 #include "calibration/data/measured_name.h"
 #include <filesystem>
 #include <fmt/format.h>
@@ -47,26 +47,31 @@ void run_report(const ReportOptions &options, Console &console) {
     console.data(pdf + "\n"); // without a browser Python said why there is none
 }
 
-} // namespace
-
-void add_report(CLI::App &app, Console &console) {
-  auto *verb = app.add_subcommand("report", "one self-contained HTML file of a results, calibration or run folder");
+void add_report(CLI::App &verb, Console &console) {
   auto options = std::make_shared<ReportOptions>();
-  verb->add_option(
+  verb.add_option(
           "DIR", options->folder,
           "results of `main`, a calibration, a run, building, sweep or study folder; or a laboratory's mapping file")
       ->required();
-  verb->add_option("-o,--output", options->output,
-                   "the HTML file (default DIR/report.html, of a mapping file beside it)");
+  verb.add_option("-o,--output", options->output,
+                  "the HTML file (default DIR/report.html, of a mapping file beside it)");
   for (const char *key : {"title", "client", "project", "author"})
-    verb->add_option(std::string("--") + key, options->head[key], "on the first page");
-  verb->add_option("--document", options->document, "a TOML file with title, client, project and author");
-  verb->add_option("--language", options->language,
-                   "two pages for the client in its place, client-LANGUAGE.html: words in this language")
+    verb.add_option(std::string("--") + key, options->head[key], "on the first page");
+  verb.add_option("--document", options->document, "a TOML file with title, client, project and author");
+  verb.add_option("--language", options->language,
+                  "two pages for the client in its place, client-LANGUAGE.html: words in this language")
       ->check(CLI::IsMember({"en", "es", "it", "ja", "tr"}));
-  verb->add_flag("--pdf", options->pdf, "a PDF beside the HTML file, printed by Chromium where it is installed");
-  console.add_common(*verb);
-  verb->callback([options, &console] { run_report(*options, console); });
+  verb.add_flag("--pdf", options->pdf, "a PDF beside the HTML file, printed by Chromium where it is installed");
+  console.add_common(verb);
+  verb.callback([options, &console] { run_report(*options, console); });
 }
+
+} // namespace
+
+const Verb report_verb{{.name = "report",
+                        .help = "one self-contained HTML file of a results, calibration or run folder",
+                        .examples = "rimpact report my-run\nrimpact report results/main --pdf",
+                        .next = "open the page that is named above in a browser"},
+                       add_report};
 
 } // namespace rimpact::app

@@ -1,5 +1,7 @@
 // rimpact study SCENE: the same scene with cheaper and dearer settings, speed against error.
+#include "app/catalogue.h"
 #include "app/folder_claim.h"
+#include "app/interrupts.h"
 #include "app/job_runner.h"
 #include "app/main_target.h"
 #include "app/set_keys.h"
@@ -7,15 +9,17 @@
 #include "app/sibling.h"
 #include "app/slurm_scripts.h"
 #include "app/time_to_go.h"
-#include "app/verb.h"
 #include "calibration/studies/speed_error.h"
+#include "calibration/studies/speed_error_text.h"
 #include "calibration/studies/stored_study.h"
 #include "files/file.h"
 #include "files/json_text.h"
 #include "impact_laws/catalogue.h"
 #include "reduced_models/physical_model.h"
+#include "reduced_models/simulate.h"
 #include "responses/build_version.h"
 #include "responses/response.h"
+#include "responses/run_folder.h"
 #include "scene/case_description.h"
 #include <algorithm>
 #include <cmath>
@@ -243,42 +247,48 @@ void run_study(StudyOptions options, const CLI::App &verb, Console &console) {
     throw GateError(fmt::format("no setting of this study has an error of {:g} % or less", options.wanted));
 }
 
-} // namespace
-
-void add_study(CLI::App &app, Console &console) {
-  auto *verb = app.add_subcommand("study", "speed against error of a scene: rungs, meshes, steps");
+void add_study(CLI::App &verb, Console &console) {
   auto options = std::make_shared<StudyOptions>();
-  verb->add_option("SCENE", options->scene, "a TOML file or a built-in scene")->required();
-  verb->add_option("-o,--output", options->folder, "results folder (default results/study-SCENE)");
-  verb->add_option("--axes", options->axes, "what varies, of rung,mesh,step; the rest is the scene's")
+  verb.add_option("SCENE", options->scene, "a TOML file or a built-in scene")->required();
+  verb.add_option("-o,--output", options->folder, "results folder (default results/study-SCENE)");
+  verb.add_option("--axes", options->axes, "what varies, of rung,mesh,step; the rest is the scene's")
       ->delimiter(',')
       ->capture_default_str();
-  verb->add_option("--rungs", options->rungs, "values of the axis rung")
+  verb.add_option("--rungs", options->rungs, "values of the axis rung")
       ->delimiter(',')
       ->check(CLI::IsMember(words<SolvedBy>()))
       ->capture_default_str();
-  verb->add_option("--curve", options->curve,
-                   "curve.h5 of `rimpact curve`: the reduced model flies on it too, as run `curve`")
+  verb.add_option("--curve", options->curve,
+                  "curve.h5 of `rimpact curve`: the reduced model flies on it too, as run `curve`")
       ->check(CLI::ExistingFile);
-  verb->add_option("--meshes", options->meshes, "values of the axis mesh")
+  verb.add_option("--meshes", options->meshes, "values of the axis mesh")
       ->delimiter(',')
       ->check(CLI::Range(0, 3))
       ->capture_default_str();
-  verb->add_option("--steps", options->steps, "values of the axis step [ms]")
+  verb.add_option("--steps", options->steps, "values of the axis step [ms]")
       ->delimiter(',')
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  verb->add_option("--error", options->wanted, "wanted error [%], for the recommendation")
+  verb.add_option("--error", options->wanted, "wanted error [%], for the recommendation")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  verb->add_option("--shard", options->shard, "I/N: every N-th run from the I-th on, with the same -o");
-  add_slurm(*verb, options->slurm);
-  verb->add_flag("--dry-run", options->dry_run, "list the runs and the time they take, and stop");
-  console.add_common(*verb);
-  console.add_json(*verb);
-  console.add_overrides(*verb);
-  console.add_force(*verb);
-  verb->callback([options, verb, &console] { run_study(*options, *verb, console); });
+  verb.add_option("--shard", options->shard, "I/N: every N-th run from the I-th on, with the same -o");
+  add_slurm(verb, options->slurm);
+  verb.add_flag("--dry-run", options->dry_run, "list the runs and the time they take, and stop");
+  console.add_common(verb);
+  console.add_json(verb);
+  console.add_overrides(verb);
+  console.add_force(verb);
+  verb.callback([options, &verb, &console] { run_study(*options, verb, console); });
 }
+
+} // namespace
+
+const Verb study_verb{
+    {.name = "study",
+     .help = "speed against error of a scene: rungs, meshes, steps",
+     .examples = "rimpact study impact-window --axes rung,mesh -o my-study\nrimpact study impact-window --shard 1/4",
+     .next = "rimpact report {}"},
+    add_study};
 
 } // namespace rimpact::app

@@ -1,6 +1,6 @@
 // rimpact thesis: a figure or table of the thesis by its number, made by this program's own verbs and drawn beside it.
+#include "app/catalogue.h"
 #include "app/sibling.h"
-#include "app/verb.h"
 
 namespace rimpact::app {
 namespace {
@@ -27,19 +27,23 @@ void run_thesis(const ThesisOptions &options, Console &console) {
   if (code != 0) throw IoError("thesis " + options.what + " was not finished");
 }
 
+void add_thesis(CLI::App &verb, Console &console) {
+  auto options = std::make_shared<ThesisOptions>();
+  verb.add_option("WHAT", options->what, "list, headlines, fig-2-7, table-3-4, design, ... or all")
+      ->capture_default_str();
+  verb.add_flag("--cheap", options->cheap, "only what takes seconds: no finite elements");
+  verb.add_option("--records", options->records, "folder of your AT2 files (default: RIMPACT_RECORDS, else this one)");
+  verb.add_option("-o,--output", options->folder, "folder of runs, pictures and pages")->capture_default_str();
+  console.add_common(verb);
+  console.add_json(verb);
+  verb.callback([options, &console] { run_thesis(*options, console); });
+}
+
 } // namespace
 
-void add_thesis(CLI::App &app, Console &console) {
-  auto *verb = app.add_subcommand("thesis", "a figure or table of the thesis by its number, ours drawn over it");
-  auto options = std::make_shared<ThesisOptions>();
-  verb->add_option("WHAT", options->what, "list, headlines, fig-2-7, table-3-4, design, ... or all")
-      ->capture_default_str();
-  verb->add_flag("--cheap", options->cheap, "only what takes seconds: no finite elements");
-  verb->add_option("--records", options->records, "folder of your AT2 files (default: RIMPACT_RECORDS, else this one)");
-  verb->add_option("-o,--output", options->folder, "folder of runs, pictures and pages")->capture_default_str();
-  console.add_common(*verb);
-  console.add_json(*verb);
-  verb->callback([options, &console] { run_thesis(*options, console); });
-}
+const Verb thesis_verb{{.name = "thesis",
+                        .help = "a figure or table of the thesis by its number, ours drawn over it",
+                        .examples = "rimpact thesis list\nrimpact thesis headlines\nrimpact thesis fig-2-7"},
+                       add_thesis};
 
 } // namespace rimpact::app

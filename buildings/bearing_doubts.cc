@@ -1,5 +1,6 @@
 #include "buildings/bearing_doubts.h"
 #include "scene/doubts.h"
+#include "scene/element_doubts.h"
 #include <algorithm>
 #include <fmt/format.h>
 #include <map>

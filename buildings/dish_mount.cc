@@ -1,4 +1,4 @@
-#include "buildings/mount.h"
+#include "buildings/dish_mount.h"
 #include "reduced_models/dynamics.h"
 #include <algorithm>
 

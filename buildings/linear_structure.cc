@@ -1,4 +1,4 @@
-#include "buildings/structure.h"
+#include "buildings/linear_structure.h"
 
 namespace rimpact::buildings {
 

@@ -65,12 +65,4 @@ public:
   double lateral_capacity = 0, rim_stiffness = 0;
 };
 
-/// A bearing of rigid bodies (`dcfp`, `lir-dcfp`, `tfp`) under its share of the weight: its top plate moves and turns
-/// with the node, whose moments are its contacts' about the plate's vertex. Throws InputError for isolator.space
-/// "planar".
-std::unique_ptr<Mount> rigid_mount(const scene::Scene &scene);
-/// A dish with rim (`physical`): a slider under the node on unilateral springs of isolator.contact_stiffness a point;
-/// no moments. Coulomb's friction has the elastic slip of the rigid bodies' contacts (rigid_body/system.h).
-std::unique_ptr<Mount> dish_mount(const scene::Scene &scene);
-
 } // namespace rimpact::buildings

@@ -1,5 +1,7 @@
 #include "buildings/mounted_building.h"
+#include "buildings/dish_mount.h"
 #include "buildings/dynamics.h"
+#include "buildings/rigid_mount.h"
 #include <algorithm>
 
 namespace rimpact::buildings {

@@ -74,6 +74,7 @@ private:
   struct FloorPeaks {
     double displacement = 0, drift = 0, drift_x = 0, drift_y = 0, acceleration = 0, shear = 0;
   };
+  nlohmann::json table_of(std::size_t bearing, double residual) const; ///< of the summary; residual travel [m]
   void store(double t, const Eigen::VectorXd &y, const BuildingResponse &r);
   void watch(double t, const Eigen::VectorXd &y, const BuildingResponse &r);
   void trace(double t, const Eigen::VectorXd &y, const BuildingResponse &r);

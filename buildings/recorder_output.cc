@@ -8,12 +8,21 @@ namespace rimpact::buildings {
 
 using Eigen::Vector2d, Eigen::Vector3d, Eigen::VectorXd;
 
-void BuildingRecorder::store(double t, const VectorXd &y, const BuildingResponse &r) {
-  if (!response_ || t < last_sample_ + 5e-7) return;
-  last_sample_ = t;
-  const auto &d = dynamics_;
-  const auto put = [&](const std::string &name, double value) { response_->append(name, value); };
-  const auto plane = [&](const std::string &name, const auto &v) { put(name + "_x", v[0]), put(name + "_y", v[1]); };
+namespace {
+
+/// One row of a response, signal by signal.
+struct Row {
+  Response &response;
+  void put(const std::string &name, double value) { response.append(name, value); }
+  template <class V> void plane(const std::string &name, const V &v) { put(name + "_x", v[0]), put(name + "_y", v[1]); }
+
+  void whole(const BuildingBasis &d, const VectorXd &y, const BuildingResponse &r);
+  void bearing(int number, const BearingResponse &one, bool rigid_bodies);
+  void energies(const EnergyLedger &l, bool plastic);
+  void hinges(const BuildingResponse &r);
+};
+
+void Row::whole(const BuildingBasis &d, const VectorXd &y, const BuildingResponse &r) {
   Vector3d pendular = Vector3d::Zero(), friction = pendular, impact = pendular;
   double normal = 0, gap = 1e300, z = 0, vz = 0;
   for (const auto &b : r.bearings) {
@@ -22,41 +31,77 @@ void BuildingRecorder::store(double t, const VectorXd &y, const BuildingResponse
     z += b.u[2] / d.n_bearings(), vz += b.v[2] / d.n_bearings();
   }
   const Vector3d force = pendular + friction + impact;
-  put("time", t);
   plane("displacement", y.head<2>()), put("displacement_z", z);
   plane("velocity", y.segment<2>(d.n)), put("velocity_z", vz);
   plane("force", force), put("force_z", force[2]);
   plane("pendular", pendular), plane("friction", friction), plane("impact", impact);
   plane("ground_acceleration", r.ground), put("ground_acceleration_z", r.ground[2]);
   put("gap", gap), put("normal_force", normal), put("base_rotation", y[2]);
-  plane("base_acceleration", Vector2d(r.acceleration.head<2>() + r.ground.head<2>())),
-      plane("overturning", overturning(r));
-  const auto l = ledger(y);
-  put("energy_external", l.external), put("energy_gravity", l.gravity), put("energy_kinetic", l.kinetic),
-      put("energy_elastic", l.elastic);
-  put("energy_damping", l.damping), put("energy_friction", l.friction), put("energy_impact", l.impact),
-      put("energy_contact", l.contact);
-  for (int b = 0; b < d.n_bearings(); ++b) {
-    const auto &one = r.bearings[b];
-    const std::string name = fmt::format("bearing_{}_", b + 1);
-    plane(name + "displacement", one.u), put(name + "displacement_z", one.u[2]);
-    plane(name + "force", one.force()), plane(name + "impact", one.impact);
-    put(name + "normal_force", std::max(0.0, one.normal)), put(name + "gap", one.gap);
-    if (d.rigid_bodies) plane(name + "interface_slip", one.interface_slip), plane(name + "moment", one.moment);
-  }
-  if (!r.members.hinges.empty()) put("energy_plastic", l.plastic);
+  plane("base_acceleration", Vector2d(r.acceleration.head<2>() + r.ground.head<2>()));
+}
+
+void Row::bearing(int number, const BearingResponse &one, bool rigid_bodies) {
+  const std::string name = fmt::format("bearing_{}_", number);
+  plane(name + "displacement", one.u), put(name + "displacement_z", one.u[2]);
+  plane(name + "force", one.force()), plane(name + "impact", one.impact);
+  put(name + "normal_force", std::max(0.0, one.normal)), put(name + "gap", one.gap);
+  if (rigid_bodies) plane(name + "interface_slip", one.interface_slip), plane(name + "moment", one.moment);
+}
+
+void Row::energies(const EnergyLedger &l, bool plastic) {
+  put("energy_external", l.external), put("energy_gravity", l.gravity), put("energy_kinetic", l.kinetic);
+  put("energy_elastic", l.elastic), put("energy_damping", l.damping), put("energy_friction", l.friction);
+  put("energy_impact", l.impact), put("energy_contact", l.contact);
+  if (plastic) put("energy_plastic", l.plastic);
+}
+
+void Row::hinges(const BuildingResponse &r) {
   for (std::size_t i = 0; i < r.members.hinges.size(); ++i) {
     const char end = i % 2 ? 'j' : 'i';
     put(fmt::format("member_{}_moment_{}", i / 2 + 1, end), r.members.hinges[i].moment);
     put(fmt::format("member_{}_rotation_{}", i / 2 + 1, end), r.members.hinges[i].plastic_rotation);
   }
+}
+
+} // namespace
+
+void BuildingRecorder::store(double t, const VectorXd &y, const BuildingResponse &r) {
+  if (!response_ || t < last_sample_ + 5e-7) return;
+  last_sample_ = t;
+  Row row{*response_};
+  row.put("time", t);
+  row.whole(dynamics_, y, r);
+  row.plane("overturning", overturning(r));
+  row.energies(ledger(y), !r.members.hinges.empty());
+  for (int b = 0; b < dynamics_.n_bearings(); ++b) row.bearing(b + 1, r.bearings[b], dynamics_.rigid_bodies);
+  row.hinges(r);
   for (int f = 0; f < static_cast<int>(floors_.size()); ++f) {
     const int dof = 3 * (f + 1);
     const std::string name = fmt::format("floor_{}_", f + 1);
-    plane(name + "displacement", y.segment<2>(dof)), put(name + "rotation", y[dof + 2]);
-    plane(name + "drift", drift(f, y)),
-        plane(name + "acceleration", Vector2d(r.acceleration.segment<2>(dof) + r.ground.head<2>()));
+    row.plane(name + "displacement", y.segment<2>(dof)), row.put(name + "rotation", y[dof + 2]);
+    row.plane(name + "drift", drift(f, y));
+    row.plane(name + "acceleration", Vector2d(r.acceleration.segment<2>(dof) + r.ground.head<2>()));
   }
+}
+
+nlohmann::json BuildingRecorder::table_of(std::size_t b, double residual) const {
+  const auto &p = bearings_[b];
+  nlohmann::json table{{"x_m", dynamics_.slider[b].arm_x},
+                       {"y_m", dynamics_.slider[b].arm_y},
+                       {"static_normal_force_N", dynamics_.reactions[b]},
+                       {"peak_displacement_m", p.travel},
+                       {"peak_force_N", p.force},
+                       {"peak_impact_force_N", p.impact},
+                       {"impacts", p.impacts.size()},
+                       {"max_normal_force_N", p.largest_normal},
+                       {"min_normal_force_N", p.smallest_normal},
+                       {"peak_uplift_m", p.lift},
+                       {"residual_displacement_m", residual}};
+  if (!p.impacts.empty()) table["first_touch_s"] = p.impacts[0].touch_time;
+  if (p.interface_slip == Vector2d::Zero()) return table;
+  table["residual_interface_slip_x_m"] = p.interface_slip[0];
+  table["residual_interface_slip_y_m"] = p.interface_slip[1];
+  return table;
 }
 
 void BuildingRecorder::summarise(Summary &s) const {
@@ -79,21 +124,7 @@ void BuildingRecorder::summarise(Summary &s) const {
     s.residual_displacement = std::max(s.residual_displacement, residual);
     s.final_speed = std::max(*s.final_speed, node.of(final_.data() + dynamics_.n).head<2>().norm());
     s.impacts.insert(s.impacts.end(), p.impacts.begin(), p.impacts.end());
-    bearings.push_back({{"x_m", node.arm_x},
-                        {"y_m", node.arm_y},
-                        {"static_normal_force_N", dynamics_.reactions[b]},
-                        {"peak_displacement_m", p.travel},
-                        {"peak_force_N", p.force},
-                        {"peak_impact_force_N", p.impact},
-                        {"impacts", p.impacts.size()},
-                        {"max_normal_force_N", p.largest_normal},
-                        {"min_normal_force_N", p.smallest_normal},
-                        {"peak_uplift_m", p.lift},
-                        {"residual_displacement_m", residual}});
-    if (!p.impacts.empty()) bearings.back()["first_touch_s"] = p.impacts[0].touch_time;
-    if (p.interface_slip != Vector2d::Zero())
-      bearings.back()["residual_interface_slip_x_m"] = p.interface_slip[0],
-      bearings.back()["residual_interface_slip_y_m"] = p.interface_slip[1];
+    bearings.push_back(table_of(b, residual));
   }
   std::stable_sort(s.impacts.begin(), s.impacts.end(),
                    [](const auto &a, const auto &b) { return a.touch_time < b.touch_time; });

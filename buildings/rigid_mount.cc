@@ -1,4 +1,4 @@
-#include "buildings/mount.h"
+#include "buildings/rigid_mount.h"
 #include "files/error.h"
 #include "reduced_models/rigid_body/heat_memory.h"
 #include "reduced_models/rigid_body/rigid_bearing.h"

@@ -2,7 +2,9 @@
 #include "buildings/building_run.h"
 #include "buildings/implicit_run.h"
 #include "buildings/inelastic_frame.h"
+#include "buildings/linear_structure.h"
 #include "files/error.h"
+#include "reduced_models/simulate.h"
 #include <algorithm>
 #include <chrono>
 #include <cmath>

@@ -2,6 +2,7 @@
 #pragma once
 #include "buildings/recorder.h"
 #include "reduced_models/physical_model.h"
+#include "reduced_models/simulate.h"
 
 namespace rimpact::buildings {
 

@@ -34,7 +34,4 @@ public:
   virtual MembersResponse members(const Eigen::VectorXd &) const { return {}; }
 };
 
-/// K and C of a linear building.
-std::unique_ptr<Structure> linear_structure(const BuildingModel &model, double gravity);
-
 } // namespace rimpact::buildings

@@ -39,8 +39,11 @@ inline constexpr double huge = 1e12;
 
 struct Key {
   const char *name;
-  const char *comment = "";
-  bool assumption = false;
+  const char *comment = "";     ///< what a file says beside it; of a choice without one: its words
+  bool assumption = false;      ///< its default is an assumption of ours
+  const char *meaning = "";     ///< what the list of keys says; empty: the comment
+  const char *follows = "";     ///< the default in words, where it follows from other keys
+  const char *counts_also = ""; ///< who reads it beside the choices that say so; appended to its condition
 };
 
 /// One of the two columns of a table of rows.

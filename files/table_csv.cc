@@ -1,6 +1,7 @@
+#include "files/table_csv.h"
+
 #include "files/error.h"
 #include "files/file.h"
-#include "files/table.h"
 #include "files/text.h"
 #include <cmath>
 #include <fmt/format.h>

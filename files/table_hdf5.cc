@@ -1,6 +1,7 @@
+#include "files/table_hdf5.h"
+
 #include "files/file.h"
 #include "files/hdf5_column.h"
-#include "files/table.h"
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -3,11 +3,15 @@
 #include "files/file.h"
 #include "files/folder_lock.h"
 #include "files/json_text.h"
+#include "files/table_csv.h"
+#include "files/table_hdf5.h"
 #include "fleets/fleet_folder.h"
 #include "fleets/fleet_table.h"
 #include "fleets/fractiles.h"
 #include "reduced_models/physical_model.h"
+#include "reduced_models/simulate.h"
 #include "responses/limits.h"
+#include "scene/toml_writer.h"
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>

@@ -10,6 +10,7 @@
 #include "records/record_library.h"
 #include "responses/kept_run.h"
 #include "responses/response.h"
+#include "scene/toml_writer.h"
 #include <algorithm>
 #include <array>
 #include <filesystem>

@@ -1,5 +1,7 @@
 #include "fleets/fleet_table.h"
 #include "files/error.h"
+#include "files/table_csv.h"
+#include "files/table_hdf5.h"
 #include "responses/open_impact.h"
 #include <algorithm>
 #include <cmath>

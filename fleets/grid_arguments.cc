@@ -1,4 +1,6 @@
 // Grids given on the command line.
+#include "fleets/grid_arguments.h"
+
 #include "files/text.h"
 #include "fleets/sweep_reader.h"
 #include <cmath>

@@ -1,7 +1,8 @@
 // Cases of a sweep from a folder of records.
+#include "fleets/record_cases.h"
+
 #include "files/error.h"
 #include "fleets/record_intensity.h"
-#include "fleets/sweep_reader.h"
 #include "fleets/sweep_toml.h"
 #include "records/record_file.h"
 #include "records/record_folder.h"

@@ -66,8 +66,5 @@ inline constexpr std::size_t largest_fleet = 200'000;
 /// value of the wrong type or out of its own range, a key given twice, and more than `largest_fleet` runs.
 Sweep parse_sweep(const std::string &text, const std::string &origin);
 Sweep read_sweep(const std::string &path);
-/// A grid from arguments KEY=a:b:n, n >= 1 values evenly from a to b (n = 1: a = b). Throws InputError
-/// "--sweep KEY=a:b:n: ..." for the same reasons.
-Sweep grid_of_arguments(const std::vector<std::string> &arguments);
 
 } // namespace rimpact::fleets

@@ -1,6 +1,7 @@
 #include "fleets/sweep_reader.h"
 #include "files/text.h"
 #include "fleets/latin_hypercube_reader.h"
+#include "fleets/record_cases.h"
 #include "fleets/sweep_toml.h"
 #include "scene/scene.h"
 #include <algorithm>

@@ -51,9 +51,6 @@ enum class Components { x, xy, xyz };
 constexpr auto choices(Components) {
   return choices_of<Components>({{Components::x, "x"}, {Components::xy, "xy"}, {Components::xyz, "xyz"}});
 }
-/// A station without all of the components is left out and said. Throws InputError when the folder has none, DataError
-/// for a damaged record. `sa_period` [s]: of the spectral acceleration, 0: none.
-RecordCases cases_of_folder(const std::string &folder, Components components, double sa_period);
 /// Throws as parse_sweep, but for what only the whole sweep shows. Tables and keys of the root named in `also` are the
 /// caller's.
 SweepParts read_parts(const TomlFile &file, const std::string &origin, const std::vector<std::string> &also = {});

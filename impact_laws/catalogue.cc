@@ -65,7 +65,7 @@ void visit(KeyVisitor &v, LawNumbers &numbers, const ImpactLaw *&law) {
   };
   families().front()->visit(v, numbers, *law); // k_i and e, which most laws read
   std::string written = law->name;
-  v.word({"impact_law", words.c_str()}, written, names);
+  v.word({.name = "impact_law", .comment = words.c_str(), .meaning = "law of the rim, see laws"}, written, names);
   law = &impact_law(written);
   for (const auto *family : families())
     if (family != families().front() && v.wants(reads(*family))) family->visit(v, numbers, *law);

@@ -41,7 +41,7 @@ OpenSeesMaterial dashpot_behind_a_gap(const RimElement &r) {
 
 void visit_pair(KeyVisitor &v, LawNumbers &n, const ImpactLaw &) {
   v.number({"k_i_kN_per_m", "impact stiffness; 0: no impact element"}, n.k_i, kilo, {0, huge});
-  v.number({"restitution", "e"}, n.restitution, si, {0, 1, true});
+  v.number({"restitution", "e of the impact element"}, n.restitution, si, {0, 1, true});
 }
 
 ImpactLaw pair_law(const char *name, const char *description) {

@@ -1,8 +1,9 @@
 // The whole plate of rung full: a core about the vertex, rings around it, and the rim on the sectors that may be
 // touched.
+#include "meshes/plate_disc.h"
+
 #include "meshes/half_disc.h"
 #include "meshes/plate_section.h"
-#include "meshes/rim_mesh.h"
 #include "meshes/touched_places.h"
 #include "meshes/units.h"
 #include <algorithm>

@@ -16,9 +16,6 @@ HexMesh rim_mesh(const scene::Bearing &bearing, const MeshOrder &order);
 inline const std::vector<Surface> rim_groups{Surface::rim_wall, Surface::slider_side, Surface::top, Surface::fixed};
 /// The sectors alone, added to a mesh.
 void add_rim(HexMesh &mesh, const scene::Bearing &bearing, const MeshOrder &order);
-/// The half y >= 0 of the whole plate with the same sectors of the rim on it, and those of their images (rung full);
-/// fine under the path along x.
-void add_whole_plate(HexMesh &mesh, const scene::Bearing &bearing, const MeshOrder &order);
 /// Puts nodes that rounding moved off the plane of symmetry back on it.
 void flatten(HexMesh &mesh);
 

@@ -3,6 +3,7 @@
 #include "meshes/mirror.h"
 #include "meshes/own_mesh.h"
 #include "meshes/pad_and_foot.h"
+#include "meshes/plate_disc.h"
 #include "meshes/rim_mesh.h"
 #include "meshes/slider_section.h"
 #include "meshes/touched_places.h"

@@ -1,9 +1,11 @@
 #include "planning/machine_times.h"
 #include "planning/plan_parts.h"
+#include "planning/stack_plan.h"
 
 #include "files/error.h"
 #include "reduced_models/pad_on_dish.h"
 #include "reduced_models/physical_model.h"
+#include "reduced_models/simulate.h"
 #include "scene/assumptions.h"
 #include <algorithm>
 #include <cmath>

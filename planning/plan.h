@@ -42,10 +42,6 @@ struct Plan {
   std::vector<std::string> notes;  ///< sentences for the user: pad pressure, grazing, critical amplitude ...
 };
 Plan make_plan(const scene::Scene &scene);
-/// Why no finite-element rung exists for what the scene models, a sentence; nothing of it can be planned.
-std::optional<std::string> beyond_rungs(const scene::Scene &scene);
-/// Why this build cannot run the scene by finite elements (rung, kind of excitation, contact), a sentence.
-std::optional<std::string> refusal(const scene::Scene &scene);
 std::string describe(const Plan &plan); ///< as printed by `check` and before a run
 nlohmann::json to_json(const Plan &plan);
 

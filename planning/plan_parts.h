@@ -23,10 +23,4 @@ double depth_of_impact(const scene::Scene &scene, double speed);
 void add_impacts(Plan &plan, const Summary &scout, const Response &response);
 void add_pad_note(Plan &plan, const scene::Scene &scene);
 
-/// Rung rigid-dish (stack_plan.cc): a quasi-static path; a window, pulse or record.
-Plan stack_path_plan(const scene::Scene &scene);
-Plan stack_motion_plan(const scene::Scene &scene);
-/// Impacts, sectors, rest, closest gap of its plan.
-void scout_stack(Plan &plan, scene::Scene scene);
-
 } // namespace rimpact::planning

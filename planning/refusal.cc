@@ -1,4 +1,4 @@
-#include "planning/plan.h"
+#include "planning/refusal.h"
 
 #include <fmt/format.h>
 

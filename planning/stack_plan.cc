@@ -1,5 +1,6 @@
 // Plans of rungs rigid-dish and full.
-#include "planning/plan_parts.h"
+#include "planning/stack_plan.h"
+#include "planning/stack_scout.h"
 
 #include <algorithm>
 #include <cmath>

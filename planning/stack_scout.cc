@@ -1,8 +1,9 @@
 // What the reduced model sees before rungs rigid-dish and full are run: impacts, near passes, where sliding ends.
-#include "planning/plan_parts.h"
+#include "planning/stack_scout.h"
 
 #include "reduced_models/pad_on_dish.h"
 #include "reduced_models/physical_model.h"
+#include "reduced_models/simulate.h"
 #include <algorithm>
 #include <cmath>
 #include <utility>

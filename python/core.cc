@@ -2,9 +2,14 @@
 // side by side.
 #include "python/core.h"
 
+#include "python/core_laws.h"
+#include "python/core_scene.h"
+
 #include "files/error.h"
 #include "reduced_models/physical_model.h"
 #include "reduced_models/run_doubts.h"
+#include "reduced_models/simulate.h"
+#include "responses/run_folder.h"
 #include "responses/summary.h"
 
 namespace py = pybind11;

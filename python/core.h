@@ -16,8 +16,6 @@ struct SceneHandle {
 /// The values as a numpy array that owns them: nothing is copied.
 pybind11::array_t<double> array_of(std::vector<double> values);
 
-void add_scene(pybind11::module_ &module); ///< Scene
-void add_runs(pybind11::module_ &module);  ///< Run, run, summarise, signals
-void add_laws(pybind11::module_ &module);  ///< Law, laws
+void add_runs(pybind11::module_ &module); ///< Run, run, summarise, signals
 
 } // namespace rimpact::python

@@ -1,6 +1,6 @@
 // Laws of the rim for Python: the force over penetration, its rate and the deepest penetration before, element by
 // element.
-#include "python/core.h"
+#include "python/core_laws.h"
 
 #include "files/error.h"
 #include "impact_laws/catalogue.h"

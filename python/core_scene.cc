@@ -1,8 +1,10 @@
 // Scenes for Python: read as the command reads them.
-#include "python/core.h"
+#include "python/core_scene.h"
 
 #include "responses/build_version.h"
+#include "scene/bearing_catalogue.h"
 #include "scene/doubts.h"
+#include "scene/toml_writer.h"
 #include <pybind11/stl.h>
 
 namespace py = pybind11;

@@ -4,9 +4,10 @@
 /// differentiated. Amplitudes are our choice: by the reduced model (Coulomb, defaults) shfps-225 meets its
 /// rim twice, on opposite sides and obliquely (near 15 and -171 deg), at about 0.5 m/s each: well past
 /// grazing, and within the speeds for which k_i and e are tabulated.
+#include "records/near_fault_pulse.h"
+
 #include "files/error.h"
 #include "files/text.h"
-#include "records/record.h"
 #include <array>
 #include <cmath>
 #include <numbers>

@@ -1,5 +1,6 @@
 #include "records/record.h"
 #include "files/error.h"
+#include "records/near_fault_pulse.h"
 #include "records/record_corrections.h"
 #include "records/record_file.h"
 #include <algorithm>

@@ -50,8 +50,4 @@ SampledSignal parse_at2(const std::string &text, const std::string &path, const 
 /// before 0.
 SampledSignal parse_record_csv(const std::string &text, const std::string &path, const ReadAs &as);
 
-/// Built-in records: "builtin:near-fault-x", "builtin:near-fault-y" (see near_fault_pulse.cc).
-bool is_builtin_record(const std::string &name);
-SampledSignal builtin_record(const std::string &name); ///< throws InputError with the nearest name
-
 } // namespace rimpact

@@ -1,4 +1,5 @@
 #include "records/record_library.h"
+#include "records/near_fault_pulse.h"
 #include "records/record_file.h"
 #include <algorithm>
 #include <cstdlib>

@@ -1,5 +1,6 @@
 #include "reduced_models/hybrid_run.h"
 #include "files/error.h"
+#include "reduced_models/rest.h"
 #include <algorithm>
 #include <fmt/format.h>
 #include <numbers>

@@ -2,6 +2,7 @@
 #include "files/error.h"
 #include "reduced_models/curve_limits.h"
 #include "reduced_models/dynamics.h"
+#include "reduced_models/simulate.h"
 #include "scene/size_limits.h"
 #include <algorithm>
 #include <chrono>

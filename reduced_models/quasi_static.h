@@ -3,6 +3,7 @@
 /// spring where it is pressed.
 #pragma once
 #include "reduced_models/physical_model.h"
+#include "reduced_models/simulate.h"
 
 namespace rimpact::reduced {
 

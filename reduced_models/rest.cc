@@ -1,4 +1,4 @@
-#include "reduced_models/hybrid_run.h"
+#include "reduced_models/rest.h"
 #include <algorithm>
 
 namespace rimpact::reduced {

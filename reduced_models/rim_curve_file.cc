@@ -3,6 +3,7 @@
 #include "files/file.h"
 #include "files/hdf5_memory.h"
 #include "files/table.h"
+#include "files/table_csv.h"
 #include "scene/rim_identity.h"
 #include <cmath>
 #include <fmt/format.h>

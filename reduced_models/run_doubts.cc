@@ -5,6 +5,7 @@
 #include "responses/limits.h"
 #include "responses/open_impact.h"
 #include "scene/doubts.h"
+#include "scene/element_doubts.h"
 #include "scene/published_pair.h"
 #include <algorithm>
 

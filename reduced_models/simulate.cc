@@ -1,4 +1,6 @@
 // Whole scenes by the physical model: the entry points of physical_model.h.
+#include "reduced_models/simulate.h"
+
 #include "files/error.h"
 #include "reduced_models/catalogue.h"
 #include "reduced_models/cvode_run.h"

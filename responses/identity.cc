@@ -1,10 +1,13 @@
 #include "responses/identity.h"
+#include "responses/physics_version.h"
 
 #include "files/digest.h"
 #include "files/text.h"
+#include "records/near_fault_pulse.h"
 #include "records/record.h"
 #include "records/record_corrections.h"
 #include "responses/script_files.h"
+#include "scene/toml_writer.h"
 #include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -18,9 +18,6 @@ struct Identity {
   bool operator==(const Identity &) const = default;
 };
 
-/// Of the sources of scene/, reduced_models/, meshes/ and fe_contact/: another one may give another result.
-const std::string &physics_version();
-
 /// Records, impact curve and own mesh with the files its script names, by absolute name. A table of the dish and a
 /// bearing file stand in the resolved scene itself.
 std::vector<std::string> input_files(const scene::Scene &scene);

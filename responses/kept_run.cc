@@ -3,6 +3,7 @@
 #include "files/error.h"
 #include "files/file.h"
 #include "files/text.h"
+#include "scene/toml_writer.h"
 #include <array>
 #include <filesystem>
 #include <fmt/format.h>

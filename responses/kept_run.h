@@ -2,6 +2,7 @@
 #pragma once
 #include "responses/choices.h"
 #include "responses/identity.h"
+#include "responses/physics_version.h"
 #include <nlohmann/json.hpp>
 #include <string>
 

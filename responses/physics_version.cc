@@ -1,5 +1,5 @@
 // The one unit that is compiled anew when any source that shapes a result has changed.
-#include "responses/identity.h"
+#include "responses/physics_version.h"
 #include "responses/physics_hash.h"
 
 namespace rimpact {

@@ -1,17 +1,11 @@
 /// The response of a model: named series with units, written as HDF5 (/response, /meta) and CSV. SI units.
 #pragma once
+#include "responses/signals.h"
 #include <map>
 #include <string>
 #include <vector>
 
 namespace rimpact {
-
-/// One stored signal, e.g. {"displacement_x", "m", "of the upper slider, relative to the plate"}.
-struct SignalInfo {
-  std::string name, units, description;
-};
-/// The signals every model may write, in the order they are stored (docs/interface.md).
-const std::vector<SignalInfo> &known_signals();
 
 class Response {
 public:
@@ -33,10 +27,6 @@ private:
   std::map<std::string, std::vector<double>> series_;
 };
 
-/// Files are written beside their final name and renamed, so a full disk or a killed run leaves earlier results
-/// readable. Throw IoError.
-void write_hdf5(const Response &response, const std::string &path);
-void write_csv(const Response &response, const std::string &path); ///< time_s,ux_m,...,gap_m
 /// Reads a run folder, a .h5 or a .csv. Throws DataError with the reason.
 Response read_response(const std::string &path);
 

@@ -2,12 +2,15 @@
 /// columns in any order, more columns, what loose_cells.h reads, units of csv_unit() in the names, comment lines (#); a
 /// planar test may leave out uy and Fy, which are then zero. velocities (vx_m_per_s, ...) are read when
 /// there.
+#include "responses/response_csv.h"
+
+#include "responses/response_csv.h"
+
 #include "files/binary_kind.h"
 #include "files/error.h"
 #include "files/file.h"
 #include "files/loose_cells.h"
 #include "files/text.h"
-#include "responses/response_files.h"
 #include <array>
 #include <cmath>
 #include <fmt/format.h>

@@ -1,8 +1,10 @@
 // A response as HDF5, from and to bytes.
+#include "responses/response_hdf5.h"
+
 #include "files/error.h"
 #include "files/file.h"
 #include "files/hdf5_memory.h"
-#include "responses/response_files.h"
+#include "responses/response_hdf5.h"
 #include <fmt/format.h>
 #include <hdf5_hl.h>
 

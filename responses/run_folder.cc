@@ -1,10 +1,14 @@
+#include "responses/run_folder.h"
+
 #include "files/error.h"
 #include "files/file.h"
 #include "files/json_text.h"
 #include "responses/git_hash.h"
 #include "responses/identity.h"
 #include "responses/open_impact.h"
-#include "responses/summary.h"
+#include "responses/response_csv.h"
+#include "responses/response_hdf5.h"
+#include "scene/toml_writer.h"
 #include <filesystem>
 
 namespace rimpact {

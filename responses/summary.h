@@ -75,7 +75,4 @@ double processor_seconds();
 /// Peak resident memory of this process [bytes].
 long peak_memory_bytes();
 
-/// Writes a whole run folder: scene.toml, response.h5, response.csv, summary.json. Creates it. Throws IoError.
-void write_run_folder(const std::string &folder, const scene::Scene &scene, Response response, const Summary &summary);
-
 } // namespace rimpact

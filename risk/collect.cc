@@ -1,6 +1,7 @@
 #include "risk/collect.h"
 #include "files/error.h"
 #include "files/table.h"
+#include "files/table_csv.h"
 #include "fleets/run_end.h"
 #include <algorithm>
 #include <cmath>
@@ -92,6 +93,35 @@ void require_quantities(const Study &study, const ResponseSet &set, const std::s
                                        study.origin, study.limits[k].quantity, path));
 }
 
+/// The largest values that no run is believed beyond.
+void count_implausible(const Study &study, const Columns &columns, const std::vector<Cell> &row, ResponseSet &set) {
+  for (const auto &[quantity, most] : study.plausible)
+    if (const double value = columns.number(row, quantity); value > most) {
+      auto &[n, largest] = set.implausible[quantity];
+      ++n, largest = std::max(largest, value);
+    }
+}
+
+/// The run of a row, into its level.
+void add_run(const Study &study, const Columns &columns, const std::vector<Cell> &row, int record, ResponseSet &set,
+             ResponseLevel &level) {
+  const auto end = fleets::run_end(parse<fleets::RowStatus>(columns.text(row, "status")), columns.text(row, "reason"));
+  Response response = response_of(study, columns, row, set.inputs, end == fleets::RunEnd::beyond);
+  response.record = record;
+  const PastRim past = end == fleets::RunEnd::done ? past_rim(columns, row) : PastRim::no;
+  set.n_past_wall += past == PastRim::left_out, set.n_through_rim += past == PastRim::through;
+  if (past == PastRim::through) keep_travel_alone(study, response);
+  const bool unfinished = end == fleets::RunEnd::without_result || past == PastRim::through;
+  (unfinished ? level.unfinished : level.runs).push_back(std::move(response));
+}
+
+void require_all_runs(const Study &study, const Motions &motions, std::size_t rows, const std::string &path) {
+  std::size_t wanted = 0;
+  for (const auto &level : motions.levels)
+    wanted += level.motions.size() * static_cast<std::size_t>(std::max(1, study.parts.samples));
+  if (rows != wanted) throw DataError(fmt::format("{}: {} rows, the study has {} runs a system", path, rows, wanted));
+}
+
 } // namespace
 
 ResponseSet collect(const Study &study, const std::string &folder, const Motions &motions) {
@@ -114,31 +144,12 @@ ResponseSet collect(const Study &study, const std::string &folder, const Motions
       const double value = columns.number(row, name);
       return std::isnan(value) ? std::nullopt : std::optional(value);
     });
-    const auto end =
-        fleets::run_end(parse<fleets::RowStatus>(columns.text(row, "status")), columns.text(row, "reason"));
-    for (const auto &[quantity, most] : study.plausible)
-      if (const double value = columns.number(row, quantity); value > most) {
-        auto &[n, largest] = set.implausible[quantity];
-        ++n, largest = std::max(largest, value);
-      }
     const auto known = records.find(record);
     if (known == records.end()) throw DataError(fmt::format("{}: {} is no record of this study", path, record));
-    Response response = response_of(study, columns, row, set.inputs, end == fleets::RunEnd::beyond);
-    response.record = known->second;
-    const PastRim past = end == fleets::RunEnd::done ? past_rim(columns, row) : PastRim::no;
-    set.n_past_wall += past == PastRim::left_out, set.n_through_rim += past == PastRim::through;
-    if (past == PastRim::through) keep_travel_alone(study, response);
-    if (end == fleets::RunEnd::without_result || past == PastRim::through) {
-      level.unfinished.push_back(std::move(response));
-      continue;
-    }
-    level.runs.push_back(std::move(response));
+    count_implausible(study, columns, row, set);
+    add_run(study, columns, row, known->second, set, level);
   }
-  std::size_t wanted = 0;
-  for (const auto &level : motions.levels)
-    wanted += level.motions.size() * static_cast<std::size_t>(std::max(1, study.parts.samples));
-  if (table.rows.size() != wanted)
-    throw DataError(fmt::format("{}: {} rows, the study has {} runs a system", path, table.rows.size(), wanted));
+  require_all_runs(study, motions, table.rows.size(), path);
   for (auto &[intensity, level] : levels) {
     level.n_records = different_records(level);
     if (!level.runs.empty()) set.levels.push_back(std::move(level));

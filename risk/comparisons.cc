@@ -1,4 +1,4 @@
-#include "risk/results.h"
+#include "risk/comparisons.h"
 #include <algorithm>
 #include <set>
 

@@ -1,6 +1,7 @@
 #include "risk/evaluate.h"
 #include "reliability/failure_rate.h"
 #include <algorithm>
+#include <functional>
 
 namespace rimpact::risk {
 namespace {
@@ -74,24 +75,41 @@ Banded widened(Banded value, bool is_counted, const reliability::LevelCheck &che
   return value;
 }
 
+/// A flat list for the bootstrap: of each limit the fragility at every level, the rate, the probability.
+std::vector<double> flat_statistic(const Study &study, const SystemSample &sample, const std::vector<int> &times) {
+  std::vector<double> flat;
+  for (std::size_t k = 0; k < study.limits.size(); ++k) {
+    const auto models = sample.levels(k, times);
+    for (std::size_t j = 0; j < study.limits[k].values.size(); ++j) {
+      const auto fragility = sample.fragility(k, j, models, times);
+      flat.insert(flat.end(), fragility.begin(), fragility.end());
+      flat.push_back(sample.rate(fragility).rate);
+      flat.push_back(reliability::probability_in(study.years, flat.back()));
+    }
+  }
+  return flat;
+}
+
+/// Of limit j of quantity k; `next`: the next number of flat_statistic with its band.
+LimitResult result_of(const Study &study, const ResponseSet &responses, const SystemSample &sample, std::size_t k,
+                      std::size_t j, const std::vector<LevelModel> &models, const std::function<Banded()> &next) {
+  LimitResult result;
+  result.quantity = k, result.limit = study.limits[k].values[j];
+  for (std::size_t level = 0; level < sample.n_levels(); ++level) {
+    result.checks.push_back(sample.check(k, j, level));
+    result.is_counted.push_back(sample.is_counted(k, j, level));
+    result.fragility.push_back(widened(next(), result.is_counted.back(), result.checks.back()));
+    result.counted.push_back(counted_share(responses.levels[level], k, result.limit));
+    result.fitted.push_back(models[level].exceedance(result.limit).value);
+  }
+  result.rate = next(), result.probability = next();
+  return result;
+}
+
 } // namespace
 
 std::vector<LimitResult> evaluate(const Study &study, const ResponseSet &responses, const SystemSample &sample) {
-  std::vector<LimitResult> results;
-  // A flat list for the bootstrap: of each limit the fragility at every level, the rate, the probability.
-  const auto statistic = [&](const std::vector<int> &times) {
-    std::vector<double> flat;
-    for (std::size_t k = 0; k < study.limits.size(); ++k) {
-      const auto models = sample.levels(k, times);
-      for (std::size_t j = 0; j < study.limits[k].values.size(); ++j) {
-        const auto fragility = sample.fragility(k, j, models, times);
-        flat.insert(flat.end(), fragility.begin(), fragility.end());
-        flat.push_back(sample.rate(fragility).rate);
-        flat.push_back(reliability::probability_in(study.years, flat.back()));
-      }
-    }
-    return flat;
-  };
+  const auto statistic = [&](const std::vector<int> &times) { return flat_statistic(study, sample, times); };
   const auto values = statistic(sample.once());
   const auto band = reliability::bootstrap_band(
       static_cast<int>(responses.records.size()),
@@ -102,19 +120,11 @@ std::vector<LimitResult> evaluate(const Study &study, const ResponseSet &respons
     ++at;
     return result;
   };
+  std::vector<LimitResult> results;
   for (std::size_t k = 0; k < study.limits.size(); ++k) {
     const auto models = sample.levels(k, sample.once());
     for (std::size_t j = 0; j < study.limits[k].values.size(); ++j) {
-      LimitResult result;
-      result.quantity = k, result.limit = study.limits[k].values[j];
-      for (std::size_t level = 0; level < sample.n_levels(); ++level) {
-        result.checks.push_back(sample.check(k, j, level));
-        result.is_counted.push_back(sample.is_counted(k, j, level));
-        result.fragility.push_back(widened(next(), result.is_counted.back(), result.checks.back()));
-        result.counted.push_back(counted_share(responses.levels[level], k, result.limit));
-        result.fitted.push_back(models[level].exceedance(result.limit).value);
-      }
-      result.rate = next(), result.probability = next();
+      LimitResult result = result_of(study, responses, sample, k, j, models, next);
       add_rate(study, sample, result);
       add_bounds(study, sample, j, models, result);
       add_range(study, sample, result);

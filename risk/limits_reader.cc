@@ -2,6 +2,7 @@
 #include "files/error.h"
 #include "files/text.h"
 #include "fleets/sweep_toml.h"
+#include "risk/study_reader.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

@@ -1,6 +1,7 @@
 #include "risk/plan.h"
 #include "fleets/fleet_table.h"
 #include "reduced_models/physical_model.h"
+#include "reduced_models/simulate.h"
 #include "scene/scene.h"
 #include <algorithm>
 #include <cmath>

@@ -39,7 +39,5 @@ void write_results(const Results &results, const std::string &folder);
 struct Comparison {
   std::size_t difference, system, reference;
 };
-/// Keys that change together with a difference's key (its case or device, what is linked to them) may differ.
-std::vector<Comparison> comparisons(const Study &study, const Systems &systems);
 
 } // namespace rimpact::risk

@@ -169,12 +169,6 @@ struct Study {
   reliability::Bootstrap bootstrap;
 };
 
-/// Names that a limit's quantity may have; "collapsed" has no values: a run collapsed or left its dish.
-const std::vector<std::string> &quantities();
 inline constexpr const char *collapsed = "collapsed";
-
-/// Throws InputError "file:line:column: ..." for what is not in the form above.
-Study parse_study(const std::string &text, const std::string &origin);
-Study read_study(const std::string &path);
 
 } // namespace rimpact::risk

@@ -1,3 +1,5 @@
+#include "risk/study_reader.h"
+
 #include "files/error.h"
 #include "files/file.h"
 #include "files/text.h"

@@ -3,6 +3,8 @@
 #include "files/key_list.h"
 #include "files/text.h"
 #include "files/toml_reader.h"
+#include "scene/bearing_catalogue.h"
+#include "scene/bearing_keys.h"
 #include "scene/keys.h"
 #include <algorithm>
 

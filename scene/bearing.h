@@ -134,8 +134,4 @@ double lift_over_rim(const Bearing &bearing);
 /// supported mass includes it.
 double slider_mass(const Bearing &bearing);
 
-/// Built-in bearings: shfps-225 (default) and fps-225 (a = R0). Throws InputError with the nearest name.
-Bearing builtin_bearing(const std::string &name);
-std::vector<std::string> builtin_bearing_names();
-
 } // namespace rimpact::scene

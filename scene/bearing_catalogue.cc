@@ -1,3 +1,5 @@
+#include "scene/bearing_catalogue.h"
+
 #include "files/error.h"
 #include "files/text.h"
 #include "scene/assumptions.h"

@@ -3,6 +3,7 @@
 #include "files/error.h"
 #include "scene/flow_curve.h"
 #include "scene/keys.h"
+#include "scene/range_check.h"
 #include <cmath>
 #include <fmt/format.h>
 #include <numbers>

@@ -1,4 +1,4 @@
-#include "scene/keys.h"
+#include "scene/bearing_keys.h"
 #include "scene/steel_grades.h"
 
 namespace rimpact::scene {
@@ -16,7 +16,7 @@ void visit(KeyVisitor &v, Material &m) {
   v.limit({"yield_MPa", "initial yield stress; inf: elastic"}, m.yield, mega, {0, 1e9, true});
   if (v.wants(m.yield.has_value() && m.hardening.law == HardeningLaw::bilinear))
     v.limit({"tangent_modulus_MPa", "slope past yield", assumption}, m.tangent_modulus, mega, {0, 1e9});
-  v.number({"density_kg_per_m3", "", assumption}, m.density, si, {0, 1e6, true});
+  v.number({"density_kg_per_m3", "mass density", assumption}, m.density, si, {0, 1e6, true});
 }
 
 /// The law is written where it is another than two straight lines, or than the grade's.
@@ -96,14 +96,15 @@ void visit(KeyVisitor &v, RimConnection &c) {
 
 void visit_foot_and_pad(KeyVisitor &v, Bearing &b) {
   v.section("pad", [&] {
-    v.number({"inner_radius_mm", "", assumption}, b.pad.inner_radius, milli, size_mm);
-    v.number({"outer_radius_mm", "", assumption}, b.pad.outer_radius, milli, length_mm);
-    v.number({"thickness_mm", "", assumption}, b.pad.thickness, milli, length_mm);
+    v.number({"inner_radius_mm", "of the ring-shaped pad; 0: a full disc", assumption}, b.pad.inner_radius, milli,
+             size_mm);
+    v.number({"outer_radius_mm", "of the pad", assumption}, b.pad.outer_radius, milli, length_mm);
+    v.number({"thickness_mm", "of the pad", assumption}, b.pad.thickness, milli, length_mm);
     v.number({"recess_mm", "depth of its seat in the foot", assumption}, b.pad.recess, milli, size_mm);
-    v.number({"shape_radius_mm", "of its sliding face", assumption}, b.pad.shape_radius, milli, length_mm);
+    v.number({"shape_radius_mm", "radius of the pad's sliding face", assumption}, b.pad.shape_radius, milli, length_mm);
   });
   v.section("foot", [&] {
-    v.number({"radius_mm", "", assumption}, b.foot.radius, milli, length_mm);
+    v.number({"radius_mm", "of the foot below its cap", assumption}, b.foot.radius, milli, length_mm);
     v.number({"bottom_mm", "flat bottom above the vertex at rest", assumption}, b.foot.bottom, milli, size_mm);
     v.number({"shoulder_mm", "where its cap begins", assumption}, b.foot.shoulder, milli, length_mm);
     v.number({"cap_radius_mm", "spherical cap, centred on the middle of the sliding face", assumption},
@@ -124,7 +125,7 @@ void visit_height(KeyVisitor &v, Bearing &b) {
 void visit(KeyVisitor &v, SurfaceSpec &s) {
   using enum SurfaceKind;
   const auto is = [&](auto... kind) { return v.wants(((s.kind == kind) || ...)); };
-  v.choice({"kind"}, s.kind);
+  v.choice({.name = "kind", .meaning = "form of the sliding surface"}, s.kind);
   if (is(ellipse, sphere, cone)) v.number({"R0_m", "radius of curvature at the vertex"}, s.R0, si, length_m);
   if (is(ellipse)) v.number({"a_m", "half-width of the ellipse"}, s.a, si, length_m);
   if (v.wants(s.concave == Concave::twice))
@@ -133,10 +134,10 @@ void visit(KeyVisitor &v, SurfaceSpec &s) {
   if (is(polynomial)) {
     constexpr Range coefficient{-1e6, 1e6};
     v.number({"c2_per_m", "height = c2 r^2 + c3 r^3 + ... + c6 r^6"}, s.coefficients[0], si, coefficient);
-    v.number({"c3_per_m2"}, s.coefficients[1], si, coefficient);
-    v.number({"c4_per_m3"}, s.coefficients[2], si, coefficient);
-    v.number({"c5_per_m4"}, s.coefficients[3], si, coefficient);
-    v.number({"c6_per_m5"}, s.coefficients[4], si, coefficient);
+    v.number({"c3_per_m2", "coefficient of r^3"}, s.coefficients[1], si, coefficient);
+    v.number({"c4_per_m3", "coefficient of r^4"}, s.coefficients[2], si, coefficient);
+    v.number({"c5_per_m4", "coefficient of r^5"}, s.coefficients[3], si, coefficient);
+    v.number({"c6_per_m5", "coefficient of r^6"}, s.coefficients[4], si, coefficient);
   }
   if (is(table)) {
     v.numbers({"radius_mm", "rows of the table, from 0, growing"}, s.table_radius, milli, size_mm);
@@ -147,19 +148,41 @@ void visit(KeyVisitor &v, SurfaceSpec &s) {
   v.number({"planar_radius_mm", "the dish's edge"}, s.planar_radius, milli, length_mm);
 }
 
+void visit(KeyVisitor &v, ContactFriction &c) {
+  v.number({"steel_steel", "friction of the socket on the foot's cap"}, c.steel_steel, si, coefficient);
+  v.number({"steel_ertalyte", "friction of the pad on the dish"}, c.steel_ertalyte, si, coefficient);
+  v.number({"rim", "friction of the slider on the rim"}, c.rim, si, coefficient);
+  const auto slow = [&](const Key &key, std::optional<double> &mu) {
+    if (v.wants(mu.has_value())) v.limit(key, mu, si, coefficient);
+  };
+  slow({"steel_steel_slow", "at rest; inf: as steel_steel"}, c.steel_steel_slow);
+  slow({"steel_ertalyte_slow", "at rest; inf: as steel_ertalyte"}, c.steel_ertalyte_slow);
+  slow({"rim_slow", "at rest; inf: as rim"}, c.rim_slow);
+  if (v.wants(c.steel_steel_slow || c.steel_ertalyte_slow || c.rim_slow))
+    v.number({"rate_s_per_m", "of friction's growth with speed"}, c.rate, si, {0, 1e6});
+  if (v.wants(c.reference_pressure.has_value()))
+    v.limit(
+        {"reference_pressure_MPa", "p0 of the pad's friction by pressure, 0.7^(0.02 (p - p0)); inf: not by pressure"},
+        c.reference_pressure, mega, {0, 1e4});
+  v.choice({.name = "pad_foot", .meaning = "how the pad sits in the foot"}, c.pad_foot);
+  if (v.wants(c.pad_foot == PadFoot::frictional))
+    v.number({"pad_clearance_mm", "radial, between the pad and the recess's wall around it", assumption},
+             c.pad_clearance, milli, {0, 10});
+}
+
 } // namespace
 
 void visit(KeyVisitor &v, Bearing &b) {
   v.section("surface", [&] { visit(v, b.surface); });
   v.section("slider", [&] {
-    v.number({"diameter_mm"}, b.slider.diameter, milli, length_mm);
+    v.number({"diameter_mm", "of the upper slider; what meets the rim"}, b.slider.diameter, milli, length_mm);
     visit_height(v, b);
     v.number({"edge_radius_mm", "rounding of the edge that meets the rim", assumption}, b.slider.edge_radius, milli,
              size_mm);
   });
   v.section("rim", [&] {
     v.number({"height_mm", "above the dish's edge", assumption}, b.rim.height, milli, length_mm);
-    v.number({"thickness_mm", "radial", assumption}, b.rim.thickness, milli, length_mm);
+    v.number({"thickness_mm", "radial thickness of the rim", assumption}, b.rim.thickness, milli, length_mm);
     v.number({"ledge_mm", "flat step between the dish's edge and the wall", assumption}, b.rim.ledge, milli, size_mm);
     visit(v, b.rim.connection);
   });
@@ -180,28 +203,7 @@ void visit(KeyVisitor &v, Bearing &b) {
     });
     if (v.wants(!b.double_concave())) v.section("ertalyte", [&] { visit(v, b.ertalyte); });
   });
-  v.section("contact", [&] {
-    v.number({"steel_steel", "socket on cap"}, b.contact.steel_steel, si, coefficient);
-    v.number({"steel_ertalyte", "pad on dish"}, b.contact.steel_ertalyte, si, coefficient);
-    v.number({"rim", "slider on rim"}, b.contact.rim, si, coefficient);
-    const auto slow = [&](const Key &key, std::optional<double> &mu) {
-      if (v.wants(mu.has_value())) v.limit(key, mu, si, coefficient);
-    };
-    slow({"steel_steel_slow", "at rest; inf: as steel_steel"}, b.contact.steel_steel_slow);
-    slow({"steel_ertalyte_slow", "at rest; inf: as steel_ertalyte"}, b.contact.steel_ertalyte_slow);
-    slow({"rim_slow", "at rest; inf: as rim"}, b.contact.rim_slow);
-    const auto &c = b.contact;
-    if (v.wants(c.steel_steel_slow || c.steel_ertalyte_slow || c.rim_slow))
-      v.number({"rate_s_per_m", "of friction's growth with speed"}, b.contact.rate, si, {0, 1e6});
-    if (v.wants(c.reference_pressure.has_value()))
-      v.limit(
-          {"reference_pressure_MPa", "p0 of the pad's friction by pressure, 0.7^(0.02 (p - p0)); inf: not by pressure"},
-          b.contact.reference_pressure, mega, {0, 1e4});
-    v.choice({"pad_foot"}, b.contact.pad_foot);
-    if (v.wants(c.pad_foot == PadFoot::frictional))
-      v.number({"pad_clearance_mm", "radial, between the pad and the recess's wall around it", assumption},
-               b.contact.pad_clearance, milli, {0, 10});
-  });
+  v.section("contact", [&] { visit(v, b.contact); });
 }
 
 } // namespace rimpact::scene

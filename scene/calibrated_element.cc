@@ -5,6 +5,7 @@
 #include "impact_laws/rims_in_series.h"
 #include "scene/keys.h"
 #include "scene/rim_identity.h"
+#include "scene/scene_keys.h"
 #include <algorithm>
 #include <cmath>
 #include <filesystem>

@@ -4,7 +4,9 @@
 #include "files/key_list.h"
 #include "scene/assumptions.h"
 #include "scene/doubts.h"
+#include "scene/element_doubts.h"
 #include "scene/keys.h"
+#include "scene/scene_keys.h"
 #include <fmt/format.h>
 
 namespace rimpact::scene {

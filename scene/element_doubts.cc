@@ -1,9 +1,11 @@
-#include "scene/doubts.h"
+#include "scene/element_doubts.h"
 
 #include "files/key_list.h"
+#include "scene/bearing_catalogue.h"
 #include "scene/calibrated_element.h"
 #include "scene/keys.h"
 #include "scene/rim_identity.h"
+#include "scene/scene_keys.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

@@ -1,6 +1,7 @@
 #include "scene/file_kind.h"
 
 #include "files/text.h"
+#include "scene/bearing_catalogue.h"
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>

@@ -1,8 +1,10 @@
-#include "scene/keys.h"
+#include "scene/isolator_keys.h"
 
 namespace rimpact::scene {
 
 namespace {
+
+constexpr const char *dishes_on_springs = ", or dishes of a building stand on springs";
 
 constexpr Range positive{0, huge, true};
 
@@ -60,6 +62,21 @@ void visit_double_concave(KeyVisitor &v, Isolator &b, bool interface) {
   v.number({"mu_interface", "mu_s of the high-friction interface"}, b.mu_interface, si, {0, 2});
 }
 
+/// Points of contact, and the steps they ask for.
+void visit_contact(KeyVisitor &v, Isolator &b) {
+  v.number({.name = "contact_stiffness_kN_per_m",
+            .comment = "of one contact point, also under a building's dish",
+            .counts_also = dishes_on_springs},
+           b.contact_stiffness, kilo, positive);
+  v.number({.name = "contact_restitution",
+            .comment = "of the contact's dashpot, also under a building's dish",
+            .counts_also = dishes_on_springs},
+           b.contact_restitution, si, {0, 1, true});
+  v.number(
+      {.name = "step_tolerance", .comment = "relative, local error of a time step", .counts_also = dishes_on_springs},
+      b.step_tolerance, si, {1e-12, 1e-1});
+}
+
 } // namespace
 
 void visit(KeyVisitor &v, Isolator &b, ModelKind model) {
@@ -83,19 +100,19 @@ void visit(KeyVisitor &v, Isolator &b, ModelKind model) {
   v.number({"rim_height_mm", "l, above the edge of the sliding surface"}, b.rim_height, milli, length_mm);
   v.number({"slider_mass_kg", "whole slider; of a triple pendulum each slide plate"}, b.slider_mass, si, positive);
   visit_readings(v, b, model);
-  v.choice({"space"}, b.space);
-  v.integer({"points", "contact points a set; a building's dish stands on as many"}, b.points, 2, 64);
+  v.choice({.name = "space", .meaning = "motion in a plane or in space"}, b.space);
+  v.integer({.name = "points",
+             .comment = "contact points a set; a building's dish stands on as many",
+             .follows = "2; in space 8",
+             .counts_also = dishes_on_springs},
+            b.points, 2, 64);
   if (v.wants(b.space == Space::spatial)) {
     v.choice({"rim"}, b.rim);
     v.choice({"plate_rotation"}, b.plate_rotation);
   }
   if (v.wants(b.plate_rotation == PlateRotation::free))
     v.number({"plate_inertia_kg_m2", "what turns with the top plate"}, b.plate_inertia, si, positive);
-  v.number({"contact_stiffness_kN_per_m", "of one contact point, also under a building's dish"}, b.contact_stiffness,
-           kilo, positive);
-  v.number({"contact_restitution", "of the contact's dashpot, also under a building's dish"}, b.contact_restitution, si,
-           {0, 1, true});
-  v.number({"step_tolerance", "relative, local error of a time step"}, b.step_tolerance, si, {1e-12, 1e-1});
+  visit_contact(v, b);
   if (v.wants(model == physical || model == tfp)) v.section("inner", [&] { visit_inner(v, b.inner); });
 }
 

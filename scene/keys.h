@@ -6,16 +6,8 @@
 
 namespace rimpact::scene {
 
-void visit(KeyVisitor &visitor, Bearing &bearing); ///< all but its name
-/// [isolator], as the model reads it; all of it beside "physical", which reads none.
-void visit(KeyVisitor &visitor, Isolator &bearing, ModelKind model);
 void visit(KeyVisitor &visitor, Superstructure &structure); ///< [superstructure]
-/// [load], [excitation], [model], [reduced], [isolator], [superstructure]
-void visit_settings(KeyVisitor &visitor, Scene &scene);
 
-/// Throws InputError for the first value outside its range: "rim.height_mm -3 must be > 0".
-void check_ranges(const Bearing &bearing);
-void check_ranges(const Scene &scene); ///< its settings, not its bearing
 /// Throws InputError where the bearing lacks what the scene's model uses: nothing of [bearing] for two dishes; dish and
 /// L_c where no finite elements can follow (a superstructure, a path on the dish by rung `rim`); else slider and rim,
 /// and pad and foot where they are modelled.

@@ -5,6 +5,8 @@
 #include "files/toml_reader.h"
 #include "scene/keys.h"
 #include "scene/scene_catalogue.h"
+#include "scene/scene_keys.h"
+#include "scene/toml_writer.h"
 #include <cmath>
 #include <fmt/format.h>
 

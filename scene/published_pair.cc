@@ -1,6 +1,7 @@
 #include "scene/published_pair.h"
 #include "impact_laws/kelvin_voigt.h"
 #include "scene/doubts.h"
+#include "scene/element_doubts.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

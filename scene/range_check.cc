@@ -1,7 +1,10 @@
+#include "scene/range_check.h"
+
 #include "files/error.h"
 #include "files/path_visitor.h"
 #include "files/text.h"
-#include "scene/keys.h"
+#include "scene/bearing_keys.h"
+#include "scene/scene_keys.h"
 #include <cmath>
 #include <fmt/format.h>
 

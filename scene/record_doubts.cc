@@ -1,5 +1,6 @@
 #include "scene/record_doubts.h"
 #include "files/error.h"
+#include "records/near_fault_pulse.h"
 #include "records/record.h"
 #include "records/record_doubts.h"
 #include "records/record_folder.h"

@@ -3,8 +3,10 @@
 #include "files/key_list.h"
 #include "files/text.h"
 #include "files/value_differences.h"
+#include "scene/bearing_keys.h"
 #include "scene/keys.h"
 #include "scene/scene.h"
+#include "scene/toml_writer.h"
 #include <cstdint>
 #include <fmt/format.h>
 #include <map>

@@ -3,6 +3,7 @@
 #include "scene/face_friction.h"
 #include "scene/keys.h"
 #include "scene/names.h"
+#include "scene/range_check.h"
 #include "scene/size_limits.h"
 #include <cmath>
 #include <fmt/format.h>

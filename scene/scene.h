@@ -118,9 +118,6 @@ Scene parse_scene(const std::string &text, const std::string &origin, const std:
 void check_assignment(const std::string &assignment, const std::string &where);
 /// A bearing file or a built-in bearing's name. Pad and foot are checked by the scenes that model them.
 Bearing load_bearing(const std::string &where);
-/// As resolved: every default written out, round-trips through parse_scene. Assumptions carry the word as comment.
-std::string to_toml(const Scene &scene);
-std::string to_toml(const Bearing &bearing);
 
 std::vector<std::string> builtin_scene_names();
 /// A built-in scene's or bearing's commented TOML text, as `rimpact new` writes it.

@@ -1,9 +1,11 @@
 #include "scene/scene_catalogue.h"
 #include "files/error.h"
 #include "files/text.h"
+#include "scene/bearing_catalogue.h"
 #include "scene/double_concave_scenes.h"
 #include "scene/scene.h"
 #include "scene/superstructure_scenes.h"
+#include "scene/toml_writer.h"
 #include "scene/triple_scenes.h"
 #include <algorithm>
 #include <vector>

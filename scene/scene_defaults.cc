@@ -1,5 +1,6 @@
 #include "scene/scene_defaults.h"
 #include "scene/assumptions.h"
+#include "scene/bearing_catalogue.h"
 #include "scene/flow_curve.h"
 #include "scene/steel_grades.h"
 

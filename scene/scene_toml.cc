@@ -3,6 +3,7 @@
 #include "files/text.h"
 #include "files/toml_reader.h"
 #include "records/record_library.h"
+#include "scene/bearing_keys.h"
 #include "scene/bearing_toml.h"
 #include "scene/calibrated_element.h"
 #include "scene/file_kind.h"
@@ -10,6 +11,7 @@
 #include "scene/keys.h"
 #include "scene/scene_catalogue.h"
 #include "scene/scene_defaults.h"
+#include "scene/scene_keys.h"
 #include "scene/unread_keys.h"
 #include <algorithm>
 #include <cmath>

@@ -31,7 +31,7 @@ void Superstructure::validate(double supported) const {
 void visit(KeyVisitor &v, Superstructure &s) {
   constexpr Range positive{0, huge, true}, share{0, 1}, seconds{0, 1e3, true};
   const bool any = v.wants(s.any()), building = v.wants(s.kind == StructureKind::shear_building);
-  v.choice({"kind"}, s.kind);
+  v.choice({.name = "kind", .meaning = "what the bearing carries"}, s.kind);
   if (any) {
     v.number({"mass_ratio", "gamma = m_s / (m_s + m_b); the base keeps the rest of load.mass_kg"}, s.mass_ratio, si,
              {0, 1, true, true});
@@ -46,7 +46,7 @@ void visit(KeyVisitor &v, Superstructure &s) {
     v.number({"beta", "of Bouc-Wen; gamma = 1 - beta"}, s.beta, si, {0.5, 1});
   }
   if (building) {
-    v.integer({"storeys"}, s.storeys, 1, 12);
+    v.integer({"storeys", "number of floors above the base"}, s.storeys, 1, 12);
     v.numbers({"masses_kg", "of the floors above the base; empty: alike, by mass_ratio"}, s.masses, si, positive);
     v.numbers({"stiffnesses_kN_per_m", "of the storeys from the base up; empty: alike, by period_s"}, s.stiffnesses,
               kilo, positive);

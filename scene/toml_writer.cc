@@ -1,6 +1,10 @@
+#include "scene/toml_writer.h"
+
 #include "files/key_list.h"
 #include "scene/assumptions.h"
+#include "scene/bearing_keys.h"
 #include "scene/keys.h"
+#include "scene/scene_keys.h"
 #include <fmt/format.h>
 #include <set>
 

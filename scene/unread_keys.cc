@@ -1,8 +1,10 @@
 #include "scene/unread_keys.h"
 #include "files/key_list.h"
 #include "files/path_visitor.h"
+#include "scene/bearing_keys.h"
 #include "scene/face_friction.h"
 #include "scene/keys.h"
+#include "scene/scene_keys.h"
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>

@@ -132,10 +132,4 @@ std::optional<double> errors_at(double speed, const std::vector<LawError> &error
 Answer make_answer(const Calibration &calibration, const CalibrationOptions &options,
                    const std::vector<const StoredRun *> &runs);
 
-nlohmann::json to_json(const Answer &answer);
-/// [reduced] of a scene file: law, numbers, range, rim. Comments first.
-std::string to_toml_fragment(const Answer &answer);
-/// For the terminal.
-std::string describe(const Answer &answer);
-
 } // namespace rimpact::calibration

@@ -1,4 +1,6 @@
 // The parts of an answer's errors, each with how it is known. None is silently zero.
+#include "calibration/answer/answer_errors.h"
+
 #include "calibration/answer/solid_errors.h"
 #include "impact_laws/catalogue.h"
 #include <algorithm>

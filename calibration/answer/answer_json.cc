@@ -1,5 +1,6 @@
-#include "calibration/answer/answer.h"
+#include "calibration/answer/answer_json.h"
 #include "calibration/answer/calibration_json.h"
+#include "calibration/answer/calibration_text.h"
 #include "calibration/answer/laws_json.h"
 
 namespace rimpact::calibration {

@@ -1,4 +1,4 @@
-#include "calibration/answer/answer_parts.h"
+#include "calibration/answer/answer_range.h"
 #include "calibration/laws/law_words.h"
 #include "calibration/laws/percent.h"
 #include "scene/case_description.h"

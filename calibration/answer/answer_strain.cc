@@ -1,5 +1,5 @@
 // Whether the rim's steel bears the impacts of the runs, and what became of the slider's edge.
-#include "calibration/answer/answer_parts.h"
+#include "calibration/answer/answer_strain.h"
 #include "calibration/laws/percent.h"
 #include <algorithm>
 #include <fmt/format.h>

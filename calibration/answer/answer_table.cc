@@ -1,4 +1,4 @@
-#include "calibration/answer/answer_parts.h"
+#include "calibration/answer/answer_table.h"
 #include "calibration/laws/no_tension_pair.h"
 #include "calibration/laws/percent.h"
 #include "responses/open_impact.h"

@@ -1,4 +1,4 @@
-#include "calibration/answer/answer.h"
+#include "calibration/answer/answer_text.h"
 #include "calibration/answer/calibration_json.h"
 #include "calibration/answer/said_once.h"
 #include "calibration/laws/percent.h"

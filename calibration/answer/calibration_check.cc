@@ -3,6 +3,7 @@
 #include "calibration/fit/shooting.h"
 #include "files/error.h"
 #include "scene/doubts.h"
+#include "scene/element_doubts.h"
 #include <algorithm>
 #include <array>
 #include <cmath>

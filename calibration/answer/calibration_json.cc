@@ -1,11 +1,17 @@
 #include "calibration/answer/calibration_json.h"
 #include "calibration/answer/answer.h"
+#include "calibration/answer/answer_json.h"
+#include "calibration/answer/answer_text.h"
+#include "calibration/answer/calibration_text.h"
 #include "calibration/answer/laws_json.h"
 #include "files/error.h"
 #include "files/file.h"
 #include "files/json_text.h"
 #include "impact_laws/catalogue.h"
+#include "reduced_models/simulate.h"
 #include "scene/doubts.h"
+#include "scene/element_doubts.h"
+#include "scene/toml_writer.h"
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>

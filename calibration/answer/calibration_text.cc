@@ -1,5 +1,6 @@
+#include "calibration/answer/calibration_text.h"
+
 #include "calibration/answer/answer.h"
-#include "calibration/answer/calibration_json.h"
 #include "calibration/fit/parameter.h"
 #include "calibration/laws/percent.h"
 #include "impact_laws/catalogue.h"

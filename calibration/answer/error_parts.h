@@ -1,6 +1,7 @@
 /// The parts of an answer's errors as they are put together: none stands twice, none is silently zero.
 #pragma once
-#include "calibration/answer/answer_parts.h"
+#include "calibration/answer/answer.h"
+#include "calibration/studies/stored_study.h"
 
 namespace rimpact::calibration {
 

@@ -3,7 +3,7 @@
 #include "files/error.h"
 #include "files/file.h"
 #include "files/text.h"
-#include "responses/response_files.h"
+#include "responses/response_csv.h"
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>

@@ -1,7 +1,8 @@
+#include "calibration/data/consistency.h"
+
 #include "calibration/data/force_factor.h"
-#include "calibration/data/measured_run.h"
 #include "files/error.h"
-#include "responses/response_files.h"
+#include "responses/response_csv.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

@@ -123,8 +123,4 @@ StoredRun read_run(const std::string &folder, const WindowOptions &options);
 StoredRun make_run(const std::string &folder, const scene::Scene &scene, Response response,
                    const WindowOptions &options);
 
-/// Peak of a sampled pulse: a quartic through the samples above 0.8 of the largest, so that noise and the
-/// sampling's phase do not enter; the largest sample when there are too few.
-double smooth_peak(const std::vector<double> &times, const std::vector<double> &force);
-
 } // namespace rimpact::calibration

@@ -2,7 +2,6 @@
 #include "files/file.h"
 #include "files/text.h"
 #include "files/toml_reader.h"
-#include "responses/response_files.h"
 #include "scene/file_kind.h"
 #include <algorithm>
 #include <filesystem>

@@ -3,6 +3,7 @@
 #include "calibration/data/measured_doubts.h"
 #include "calibration/data/measured_history.h"
 #include "calibration/data/measured_record.h"
+#include "calibration/data/pulse.h"
 #include "calibration/data/series.h"
 #include "calibration/data/shot_start.h"
 #include "calibration/data/window_cutter.h"

@@ -1,5 +1,6 @@
 #include "calibration/data/measured_run.h"
 #include "calibration/data/channels.h"
+#include "calibration/data/consistency.h"
 #include "calibration/data/force_clock.h"
 #include "calibration/data/measured_name.h"
 #include "files/error.h"

@@ -3,7 +3,7 @@
 #include "files/character_set.h"
 #include "files/error.h"
 #include "files/text.h"
-#include "responses/response_files.h"
+#include "responses/response_csv.h"
 #include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>

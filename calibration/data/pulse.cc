@@ -1,4 +1,4 @@
-#include "calibration/data/impact_window.h"
+#include "calibration/data/pulse.h"
 #include <algorithm>
 #include <Eigen/QR>
 

@@ -1,4 +1,5 @@
 #include "calibration/data/window_cutter.h"
+#include "calibration/data/pulse.h"
 #include <algorithm>
 #include <fmt/format.h>
 #include <limits>

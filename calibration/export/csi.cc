@@ -1,5 +1,7 @@
 #include "calibration/export/csi.h"
 #include "calibration/export/comment.h"
+#include "calibration/export/dish_text.h"
+#include "calibration/export/self_check_text.h"
 #include "files/error.h"
 #include <fmt/format.h>
 #include <string_view>
@@ -65,13 +67,13 @@ std::vector<std::string> head(const ExportedRim &rim, const CsiRim &links, const
                               1e3 * rim.lateral_capacity * (1 / std::cos(M_PI / 16) - 1),
                               1e3 * rim.lateral_capacity * (1 / std::cos(M_PI / 36) - 1)));
   if (dish) {
-    for (const auto &line : dish->flat_lines(rim.vertical)) lines.push_back(line);
+    for (const auto &line : flat_lines(*dish, rim.vertical)) lines.push_back(line);
     if (!dish->sphere)
       lines.push_back(fmt::format("DISH is flat (no radius) and slides; DISH_SPRING beside it restores along axes 2 "
                                   "and 3. In between the two are off by {:+.1f} % at the rim.",
                                   100 * dish->diagonal_error));
   }
-  for (const auto &line : links.check.lines()) lines.push_back(line);
+  for (const auto &line : lines_of(links.check)) lines.push_back(line);
   lines.push_back(
       "Units: kN, m, s. Tables and fields are held against files that SAP2000 20.1 and ETABS 2015 wrote; import into " +
       program +

@@ -34,8 +34,4 @@ std::string etabs(const ExportedRim &rim, const CsiRim &links, const std::option
 std::string link_csv(const ExportedRim &rim, const CsiRim &links, const std::optional<Dish> &dish,
                      const std::vector<std::string> &header);
 
-/// Force over penetration of the law: first loading, and unloading from five depths of the exported range (laws with a
-/// dashpot: impacts at five speeds).
-std::string law_csv(const ExportedRim &rim, const std::vector<std::string> &header);
-
 } // namespace rimpact::calibration

@@ -31,8 +31,6 @@ struct Dish {
   double left_at(double r) const { return in_table(left, r); }
   double flat_stiffness(double vertical) const { return mu_fast * vertical / elastic_slip; } ///< of friction [N/m]
   double ride_stiffness(double vertical) const { return ride_fast * vertical / elastic_slip; }
-  std::vector<std::string> flat_lines(double vertical) const; ///< sentences of what is approximated
-  std::vector<std::string> riding_lines(double vertical) const;
 
 private:
   double in_table(const std::vector<double> &column, double r) const; ///< linear in `travel`, r >= 0

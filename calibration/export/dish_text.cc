@@ -1,5 +1,4 @@
-// What an export says of its dish and friction.
-#include "calibration/export/dish.h"
+#include "calibration/export/dish_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,38 +25,38 @@ std::string pad_line(const Dish &dish) {
 
 } // namespace
 
-std::vector<std::string> Dish::flat_lines(double vertical) const {
+std::vector<std::string> flat_lines(const Dish &dish, double vertical) {
   std::vector<std::string> all;
-  if (sphere)
+  if (dish.sphere)
     all.push_back(fmt::format("Dish: sphere of {:.6g} m. Its element restores N r / R, with N the force it carries: "
                               "{:+.2f} % at half the way to the rim, {:+.2f} % at the rim against W h'(r).",
-                              radius, 100 * error_half, 100 * error_full));
+                              dish.radius, 100 * dish.error_half, 100 * dish.error_full));
   else
     all.push_back(fmt::format("Dish: no sphere. Its restoring force is the table W h'(r) for the dead load W = {:.6g} "
                               "kN: it does not follow a changing normal force (overturning, vertical motion). "
                               "A sphere of the vertex radius {:.4g} m would be off by {:+.1f} % at half the way to the "
                               "rim and {:+.1f} % at the rim.",
-                              vertical / 1e3, radius, 100 * error_half, 100 * error_full));
+                              vertical / 1e3, dish.radius, 100 * dish.error_half, 100 * dish.error_full));
   all.push_back("The slider of these links stays in its plane: it does not rise, so its normal force misses the "
                 "acceleration of the rise, and the rim's push does not unload it. What that does is measured below.");
   all.push_back(fmt::format("Friction of the sliding face: {}. Its coefficient here is the mean from the centre to the "
                             "rim, {:.5g}, for friction acts along the slope. It is built up over {:.3g} mm, on the "
                             "normal force of the element.",
-                            friction_of(*this), mu_fast, 1e3 * elastic_slip));
-  all.push_back(pad_line(*this));
-  all.push_back(stack_line(*this));
+                            friction_of(dish), dish.mu_fast, 1e3 * dish.elastic_slip));
+  all.push_back(pad_line(dish));
+  all.push_back(stack_line(dish));
   return all;
 }
 
-std::vector<std::string> Dish::riding_lines(double vertical) const {
+std::vector<std::string> riding_lines(const Dish &dish, double vertical) {
   double most = 0;
-  for (const double share : left) most = std::max(most, std::abs(share));
+  for (const double share : dish.left) most = std::max(most, std::abs(share));
   std::vector<std::string> all;
   all.push_back(fmt::format("Dish: the slider rides on an ellipsoid of half-widths {:.6g} and {:.6g} m, so that it "
                             "rises. Restoring force and "
                             "friction follow the normal force N it carries: overturning, vertical motion, the rise "
                             "itself and the rim's push.",
-                            rider.half_width, rider.ratio * rider.half_width));
+                            dish.rider.half_width, dish.rider.ratio * dish.rider.half_width));
   all.push_back(fmt::format("What the ellipsoid leaves of the dish is the table dish_force_left, for the dead load W = "
                             "{:.6g} kN. It is at most {:.3g} kN and does not follow N.",
                             vertical / 1e3, most * vertical / 1e3));
@@ -65,9 +64,9 @@ std::vector<std::string> Dish::riding_lines(double vertical) const {
       fmt::format("Friction of the sliding face: {}. Of it {:.5g} N acts at the sliding element, and {:.3g} W "
                   "p, p the slope, against the rise: together they are friction along the slope. It is built "
                   "up over {:.3g} mm.",
-                  friction_of(*this), ride_fast, rises, 1e3 * elastic_slip));
-  all.push_back(pad_line(*this));
-  all.push_back(stack_line(*this));
+                  friction_of(dish), dish.ride_fast, dish.rises, 1e3 * dish.elastic_slip));
+  all.push_back(pad_line(dish));
+  all.push_back(stack_line(dish));
   return all;
 }
 

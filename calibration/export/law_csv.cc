@@ -1,5 +1,6 @@
+#include "calibration/export/law_csv.h"
+
 #include "calibration/export/comment.h"
-#include "calibration/export/csi.h"
 #include <fmt/format.h>
 
 namespace rimpact::calibration {

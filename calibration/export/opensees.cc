@@ -1,8 +1,10 @@
 #include "calibration/export/opensees.h"
 #include "calibration/export/comment.h"
+#include "calibration/export/dish_text.h"
 #include "calibration/export/flown_there.h"
 #include "calibration/export/opensees_dish_texts.h"
 #include "calibration/export/opensees_texts.h"
+#include "calibration/export/self_check_text.h"
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -106,8 +108,8 @@ std::string head(const ExportedRim &rim, const OpenSeesRim &r, const std::option
     text +=
         comment_line("#", "rimpact_bearing takes rim_round, or with along_x as its last word rim_springs: for motion "
                           "along x they keep the dents that a second hit meets.");
-  if (dish) text += comment_lines("#", dish->riding_lines(rim.vertical));
-  text += comment_lines("#", r.check.lines());
+  if (dish) text += comment_lines("#", riding_lines(*dish, rim.vertical));
+  text += comment_lines("#", lines_of(r.check));
   const double shortest = r.check.rows.back().spring.duration;
   text += comment_line(
       "#", fmt::format("Time step while the rim is pressed: at most {:.2g} s, a fortieth of the contact at {:.3g} m/s.",

@@ -27,10 +27,6 @@ struct SelfCheck {
   bool serves() const { return peak_force <= tolerance && rebound <= tolerance; }
   double again() const;     ///< largest difference in peak force of a second hit [-]
   double again_new() const; ///< the same of a rim that is new each time [-]
-  std::string sentence() const;
-  std::vector<std::string> doubts() const; ///< with their numbers: second hits and pulses beyond what is tolerated
-  std::vector<std::string> lines() const;  ///< for a file's head: the sentence, one line a row, and the doubts
-  nlohmann::json json() const;
 };
 /// `stiffness` [N/m]: the spring's largest.
 SelfCheck self_check(const ExportedRim &rim, const std::string &form, const MakeContact &make, double stiffness);

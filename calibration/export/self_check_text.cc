@@ -1,5 +1,5 @@
 // What an export says of its self-check, in its files, on screen and in JSON.
-#include "calibration/export/self_check.h"
+#include "calibration/export/self_check_text.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -43,64 +43,64 @@ nlohmann::json side(const Bounce &i) {
 
 } // namespace
 
-std::string SelfCheck::sentence() const {
+std::string sentence_of(const SelfCheck &check) {
   return fmt::format("{}Self-check of the {}, flown by rimpact at {:.3g} to {:.3g} m/s against the law: peak force "
                      "within {:.1f} %, penetration within {:.1f} %, "
                      "rebound within {:.3f} of the approach speed.",
-                     serves() ? "" : "DOUBT: ", form, rows.front().speed, rows.back().speed, 100 * peak_force,
-                     100 * penetration, rebound);
+                     check.serves() ? "" : "DOUBT: ", check.form, check.rows.front().speed, check.rows.back().speed,
+                     100 * check.peak_force, 100 * check.penetration, check.rebound);
 }
 
-std::vector<std::string> SelfCheck::doubts() const {
+std::vector<std::string> doubts_of(const SelfCheck &check) {
   std::vector<std::string> all;
-  if (again() > tolerance)
-    all.push_back(doubt_of_second(*this, dented_form.empty() ? form : dented_form,
+  if (check.again() > check.tolerance)
+    all.push_back(doubt_of_second(check, check.dented_form.empty() ? check.form : check.dented_form,
                                   [](const CheckRow &row) { return row.spring_again.peak_force; }));
-  if (again_new() > tolerance)
-    all.push_back(doubt_of_second(*this, new_form, [](const CheckRow &row) { return row.spring.peak_force; }));
-  if (pulses)
-    for (const auto &doubt : pulses->doubts()) all.push_back(doubt);
+  if (check.again_new() > check.tolerance)
+    all.push_back(doubt_of_second(check, check.new_form, [](const CheckRow &row) { return row.spring.peak_force; }));
+  if (check.pulses)
+    for (const auto &doubt : check.pulses->doubts()) all.push_back(doubt);
   return all;
 }
 
-std::vector<std::string> SelfCheck::lines() const {
-  std::vector<std::string> all{sentence()};
-  for (const auto &row : rows) all.push_back(first_hit(row));
-  if (dents) {
+std::vector<std::string> lines_of(const SelfCheck &check) {
+  std::vector<std::string> all{sentence_of(check)};
+  for (const auto &row : check.rows) all.push_back(first_hit(row));
+  if (check.dents) {
     all.push_back(
         fmt::format("Self-check of second hits, at the same speed on the dent of the first: peak force within "
                     "{:.1f} %.",
-                    100 * std::max(again(), again_new())));
-    for (const auto &row : rows) all.push_back(second_hit(*this, row));
+                    100 * std::max(check.again(), check.again_new())));
+    for (const auto &row : check.rows) all.push_back(second_hit(check, row));
   }
-  const auto flown = pulses ? pulses->lines()
-                            : std::vector<std::string>{"Self-check under pulses: not flown, for the "
-                                                       "file has no dish."};
+  const auto flown = check.pulses ? check.pulses->lines()
+                                  : std::vector<std::string>{"Self-check under pulses: not flown, for the "
+                                                             "file has no dish."};
   all.insert(all.end(), flown.begin(), flown.end());
-  for (const auto &doubt : doubts()) all.push_back(doubt);
+  for (const auto &doubt : doubts_of(check)) all.push_back(doubt);
   return all;
 }
 
-nlohmann::json SelfCheck::json() const {
+nlohmann::json to_json(const SelfCheck &check) {
   nlohmann::json all = nlohmann::json::array(), second = nlohmann::json::array();
-  for (const auto &row : rows) {
+  for (const auto &row : check.rows) {
     all.push_back({{"speed_m_s", row.speed}, {"law", side(row.law)}, {"spring", side(row.spring)}});
-    if (dents)
+    if (check.dents)
       second.push_back({{"speed_m_s", row.speed}, {"law", side(row.law_again)}, {"spring", side(row.spring_again)}});
   }
-  return {{"form", form},
-          {"peak_force_difference", peak_force},
-          {"penetration_difference", penetration},
-          {"rebound_difference", rebound},
-          {"second_hit_difference", dents ? nlohmann::json(again()) : nlohmann::json()},
-          {"new_rim_difference", new_form.empty() ? nlohmann::json() : nlohmann::json(again_new())},
-          {"serves", serves()},
-          {"sentence", sentence()},
-          {"doubts", doubts()},
+  return {{"form", check.form},
+          {"peak_force_difference", check.peak_force},
+          {"penetration_difference", check.penetration},
+          {"rebound_difference", check.rebound},
+          {"second_hit_difference", check.dents ? nlohmann::json(check.again()) : nlohmann::json()},
+          {"new_rim_difference", check.new_form.empty() ? nlohmann::json() : nlohmann::json(check.again_new())},
+          {"serves", check.serves()},
+          {"sentence", sentence_of(check)},
+          {"doubts", doubts_of(check)},
           {"rows", all},
           {"second_hits", second},
-          {"pulses", pulses ? pulses->json() : nlohmann::json()},
-          {"flown_there", flown_there}};
+          {"pulses", check.pulses ? check.pulses->json() : nlohmann::json()},
+          {"flown_there", check.flown_there}};
 }
 
 } // namespace rimpact::calibration

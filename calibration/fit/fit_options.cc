@@ -1,4 +1,4 @@
-#include "calibration/fit/fit.h"
+#include "calibration/fit/fit_options.h"
 #include "files/error.h"
 #include "impact_laws/catalogue.h"
 #include <algorithm>

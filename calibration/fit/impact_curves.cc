@@ -3,6 +3,7 @@
 #include "calibration/data/measured_run.h"
 #include "calibration/fit/shooting.h"
 #include "files/file.h"
+#include "scene/toml_writer.h"
 #include <algorithm>
 #include <charconv>
 #include <fmt/format.h>

@@ -1,8 +1,9 @@
 // Residuals of a measured impact: its start is known to the errors of the flight before it, its samples to their noise.
 // The equations are in docs/theory/measured-curves.md.
+#include "calibration/fit/measured_residuals.h"
+
 #include "calibration/data/functionals.h"
 #include "calibration/data/series.h"
-#include "calibration/fit/residuals.h"
 #include "calibration/fit/shooting.h"
 #include "reduced_models/pad_on_dish.h"
 #include <cmath>

@@ -1,6 +1,8 @@
 #include "calibration/fit/residuals.h"
 #include "calibration/data/series.h"
+#include "calibration/fit/measured_residuals.h"
 #include "calibration/fit/shooting.h"
+#include "reduced_models/simulate.h"
 #include <cmath>
 
 namespace rimpact::calibration {

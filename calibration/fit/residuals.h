@@ -73,9 +73,6 @@ private:
 
 std::unique_ptr<ResidualBlock> impact_block(const StoredRun &run, const ImpactWindow &window,
                                             const FitOptions &options);
-/// The same of a measured impact (window.measurement is set).
-std::unique_ptr<ResidualBlock> measured_block(const StoredRun &run, const ImpactWindow &window,
-                                              const FitOptions &options);
 /// What is known of the gain beforehand: one residual, its error in standard errors.
 std::unique_ptr<ResidualBlock> gain_block(const scene::Scene &scene);
 /// Motion from rest to the first touch; of quasi-static scenes the force instead.

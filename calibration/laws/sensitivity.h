@@ -2,6 +2,7 @@
 /// amplitude at which the rim is first touched, and the band in which approach speed and force move for
 /// changes nobody controls.
 #pragma once
+#include "reduced_models/simulate.h"
 #include "scene/scene.h"
 #include <optional>
 

@@ -1,5 +1,6 @@
+#include "calibration/studies/geometry_results.h"
+
 #include "calibration/fit/parameter.h"
-#include "calibration/studies/geometry_study.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

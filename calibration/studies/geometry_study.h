@@ -46,10 +46,5 @@ struct GeometryStudy {
   std::map<std::string, std::optional<Surrogate>> surrogates; ///< k_i, e, peak_force, plastic_strain
   std::string sentence;                                       ///< does the bearing's own rim survive?
 };
-GeometryStudy geometry_study(std::vector<GeometryRow> rows, const scene::Scene &window, const GeometryOptions &options);
-
-nlohmann::json to_json(const GeometryStudy &study);
-std::string to_csv(const GeometryStudy &study);
-std::string describe(const GeometryStudy &study);
 
 } // namespace rimpact::calibration

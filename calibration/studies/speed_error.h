@@ -45,8 +45,4 @@ struct SpeedError {
 /// extrapolated (Richardson, h by 1.5). Throws InputError for fewer than two runs or wanted <= 0.
 SpeedError speed_against_error(std::vector<StudyRun> runs, double lateral_capacity, double wanted);
 
-nlohmann::json to_json(const SpeedError &study);
-std::string to_csv(const SpeedError &study);
-std::string describe(const SpeedError &study);
-
 } // namespace rimpact::calibration

@@ -1,5 +1,5 @@
 // Table, CSV and JSON of a study.
-#include "calibration/studies/speed_error.h"
+#include "calibration/studies/speed_error_text.h"
 
 #include <fmt/format.h>
 

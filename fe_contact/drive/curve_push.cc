@@ -4,6 +4,7 @@
 #include "fe_contact/drive/order.h"
 #include "fe_contact/drive/path_course.h"
 #include "fe_contact/drive/run_record.h"
+#include "fe_contact/rungs/rim.h"
 #include "fe_contact/solver/march.h"
 #include "fe_contact/solver/ranks.h"
 #include "files/error.h"

@@ -135,6 +135,7 @@ void FlightRun::follow(const SolvedStep &step) {
   if (options_.progress)
     options_.progress({bearing_.t, end_time(), step.dt, step.report.iterations, -penetration(), force, Phase::contact});
   if (system_.walls_touch(arc().state)) impact_.touch();
+  if (const auto sentence = loss_of_balance(record_.ledger, bearing_.t)) stop_impact(*sentence);
   refuse_passage();
 }
 
@@ -166,10 +167,13 @@ void FlightRun::refuse_passage() {
                         .let_go = impact_.touched() && !system_.walls_touch(arc().state),
                         .may_touch = !window()};
   const auto sentence = passes(scene_.bearing.rim, passage, bearing_.t);
-  if (!sentence) return;
+  if (sentence) stop_impact(*sentence);
+}
+
+void FlightRun::stop_impact(const std::string &reason) {
   save();
   record_.impacts.push_back(left_open(impact_.impact())); // the force may be nil now, so the response does not tell
-  throw SolverStopped(*sentence);
+  throw SolverStopped(reason);
 }
 
 double FlightRun::height_above_dish() const {

@@ -74,6 +74,7 @@ private:
   /// Throws SolverStopped where the rim is folded over, or has let go of a slider that still moves outwards: it has
   /// passed the rim.
   void refuse_passage();
+  [[noreturn]] void stop_impact(const std::string &reason); ///< saves, and leaves the impact open
   /// Touchdown on the dish: the normal velocity is reversed with the stated restitution, its energy booked as
   /// contact.
   void land();

@@ -6,6 +6,8 @@
 #include "files/digest.h"
 #include "files/error.h"
 #include "responses/identity.h"
+#include "responses/physics_version.h"
+#include "scene/toml_writer.h"
 #include <filesystem>
 #include <fmt/format.h>
 

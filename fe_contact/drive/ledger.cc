@@ -3,6 +3,7 @@
 #include "fe_contact/engine/contact_steps.h"
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 
 namespace rimpact::fe {
 
@@ -44,6 +45,16 @@ void book(EnergyLedger &ledger, const StepEnergies &step) {
   ledger.elastic = step.elastic;
   ledger.plastic = step.plastic;
   ledger.largest_input = std::max(ledger.largest_input, ledger.initial + std::abs(ledger.external));
+}
+
+std::optional<std::string> loss_of_balance(const EnergyLedger &ledger, double t) {
+  constexpr double most = 0.05, nothing = 1; // of the energy put in; [J]
+  const double left = ledger.imbalance_relative();
+  if (std::abs(left) <= most || ledger.largest_input < nothing) return {};
+  return fmt::format("{:.0f} % of the energy put in is unaccounted for at t = {:.5g} s, while the rim is pressed: the "
+                     "steel deforms more than this mesh can follow. Nothing after the touch is a result; try a finer "
+                     "mesh (--mesh) or a smaller model.step_ms",
+                     100 * std::abs(left), t);
 }
 
 } // namespace rimpact::fe

@@ -3,6 +3,8 @@
 #pragma once
 #include "fe_contact/engine/contact_system.h"
 #include "responses/summary.h"
+#include <optional>
+#include <string>
 
 namespace rimpact::fe {
 
@@ -23,5 +25,8 @@ StepEnergies energies_of(const ContactSystem &system, const SystemState &state, 
 /// The ledger of a motion that begins at a state.
 EnergyLedger ledger_at(const ContactSystem &system, const SystemState &state);
 void book(EnergyLedger &ledger, const StepEnergies &step);
+/// A sentence where a run in time, at t [s], leaves more than 5 % of the energy put in unaccounted for while a rim is
+/// pressed: what follows is no result.
+std::optional<std::string> loss_of_balance(const EnergyLedger &ledger, double t);
 
 } // namespace rimpact::fe

@@ -11,9 +11,11 @@
 #include "fe_contact/drive/solver_counts.h"
 #include "fe_contact/solver/ranks.h"
 #include "files/error.h"
+#include "planning/refusal.h"
 #include "responses/identity.h"
 #include "responses/limits.h"
 #include "responses/open_impact.h"
+#include "responses/run_folder.h"
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>

@@ -59,9 +59,4 @@ bool is_first_rank();
 /// Whether it is so on any rank; every rank must ask.
 bool on_any_rank(bool here);
 
-/// Versions of deal.II, PETSc, MUMPS, SUNDIALS, gmsh and the BLAS in use, and how many threads BLAS and OpenMP take in
-/// this process; second: a warning when the BLAS is not OpenBLAS.
-std::vector<std::pair<std::string, std::string>> component_versions();
-std::string blas_warning();
-
 } // namespace rimpact::fe

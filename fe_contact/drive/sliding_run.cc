@@ -160,6 +160,10 @@ void SlidingRun::follow(const SolvedStep &step) {
   follow_impact(step);
   sample(step.report.iterations, step.dt);
   tell_lift();
+  if (const auto sentence = touching() ? loss_of_balance(record_.ledger, t_) : std::nullopt) {
+    save();
+    throw SolverStopped(*sentence);
+  }
   if (near_rim_ && touching() && fields_due(t_, step.dt, options_)) write_fields();
   if (options_.progress)
     options_.progress({t_, end_time(), step.dt, step.report.iterations, gap(),

@@ -1,5 +1,5 @@
 // Names of the libraries in use, the BLAS first of all.
-#include "fe_contact/drive/run.h"
+#include "fe_contact/drive/versions.h"
 
 #include <deal.II/base/config.h>
 #include <dlfcn.h>

@@ -1,5 +1,8 @@
 #include "fe_contact/rungs/catalogue.h"
 
+#include "fe_contact/rungs/full.h"
+#include "fe_contact/rungs/rigid_dish.h"
+#include "fe_contact/rungs/rim.h"
 #include "files/error.h"
 
 namespace rimpact::fe {

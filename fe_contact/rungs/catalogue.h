@@ -4,10 +4,6 @@
 
 namespace rimpact::fe {
 
-namespace rungs {
-extern const Rung rim, rigid_dish, full;
-}
-
 /// Throws InputError for a rung that this build has not.
 const Rung &rung_of(scene::Rung name);
 

@@ -1,4 +1,5 @@
-/// Rung full: the stack of rung rigid-dish on the whole plate, whose deformed dish carries the exact surface.
+#include "fe_contact/rungs/full.h"
+
 #include "fe_contact/rungs/bearing_model.h"
 #include "fe_contact/rungs/rigid_dish.h"
 #include "meshes/stack_mesh.h"

@@ -1,10 +1,14 @@
 /// Rung rigid-dish: pad (tied to the foot, or seated in its recess), foot and upper slider on the exact dish, and the
 /// rim's sectors where a scene needs them. Frame and reference position: at rest on the vertex (see stack_mesh).
 #pragma once
-#include "fe_contact/rungs/catalogue.h"
+#include "fe_contact/rungs/rung.h"
 #include "meshes/hex_mesh.h"
 
 namespace rimpact::fe {
+
+namespace rungs {
+extern const Rung rigid_dish;
+}
 
 inline std::vector<meshes::Volume> stack_bodies() {
   return {meshes::Volume::pad, meshes::Volume::foot, meshes::Volume::upper_slider};

@@ -2,9 +2,13 @@
 /// frame: +x radially outwards through the sector's middle, z up. One system serves every arc of the rim; each arc has
 /// its own state.
 #pragma once
-#include "fe_contact/rungs/catalogue.h"
+#include "fe_contact/rungs/rung.h"
 
 namespace rimpact::fe {
+
+namespace rungs {
+extern const Rung rim;
+}
 
 /// Slider against rim, `stiffer` times as stiff as the cells of `cell` at level 1 [m] are.
 Pair wall_pair(const BearingModel &model, double cell, double stiffer);

@@ -1,4 +1,5 @@
 #include "reduced_models/rigid_body/bearing_recorder.h"
+#include "reduced_models/simulate.h"
 #include "scene/size_limits.h"
 #include <algorithm>
 #include <cmath>

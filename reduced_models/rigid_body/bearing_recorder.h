@@ -5,6 +5,7 @@
 #include "reduced_models/rigid_body/rigid_bearing.h"
 #include "reduced_models/rigid_body/triple_faces.h"
 #include "reduced_models/rigid_body/wall_memory.h"
+#include "reduced_models/simulate.h"
 #include "reduced_models/step_budget.h"
 
 namespace rimpact::reduced::rigid {

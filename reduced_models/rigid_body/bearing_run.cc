@@ -1,6 +1,7 @@
 #include "reduced_models/rigid_body/bearing_run.h"
 #include "files/error.h"
 #include "reduced_models/rigid_body/bearing_recorder.h"
+#include "reduced_models/simulate.h"
 #include <algorithm>
 #include <chrono>
 #include <cmath>

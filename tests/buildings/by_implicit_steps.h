@@ -1,6 +1,7 @@
 /// A linear building on alike bearings by implicit steps, whatever `simulate` would take.
 #pragma once
 #include "buildings/implicit_run.h"
+#include "buildings/linear_structure.h"
 
 namespace rimpact::buildings {
 

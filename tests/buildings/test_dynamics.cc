@@ -3,6 +3,7 @@
 #include "buildings/regular_building.h"
 #include "buildings/simulate.h"
 #include "files/error.h"
+#include "scene/bearing_catalogue.h"
 #include <cmath>
 #include <gtest/gtest.h>
 

@@ -3,6 +3,7 @@
 #include "calibration/answer/answer.h"
 #include "calibration/answer/calibration_json.h"
 #include "impact_laws/catalogue.h"
+#include "scene/toml_writer.h"
 #include "synthetic.h"
 #include <fstream>
 

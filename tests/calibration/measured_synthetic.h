@@ -2,6 +2,7 @@
 /// evenly, every sample of travel and force with an independent normal error.
 #pragma once
 #include "calibration/data/series.h"
+#include "reduced_models/simulate.h"
 #include "synthetic.h"
 
 namespace rimpact::calibration::testing {

@@ -1,6 +1,8 @@
 /// Runs with a known answer: the reduced model's own responses.
 #pragma once
 #include "calibration/answer/calibration.h"
+#include "reduced_models/simulate.h"
+#include "responses/run_folder.h"
 #include <filesystem>
 #include <fmt/format.h>
 #include <random>

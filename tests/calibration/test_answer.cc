@@ -1,7 +1,9 @@
 // What a calibration hands over: its law, its table, its pair, its JSON and its fragment of a scene.
 #include "answer_runs.h"
-#include "calibration/answer/answer_parts.h"
+#include "calibration/answer/answer_mesh_error.h"
+#include "calibration/answer/answer_text.h"
 #include "calibration/laws/law_errors.h"
+#include "reduced_models/simulate.h"
 #include "scene/rim_identity.h"
 #include <cmath>
 #include <gtest/gtest.h>

@@ -1,7 +1,10 @@
 // What an answer says against itself: doubts of its runs, the strain of the steel, the error of the mesh.
 #include "answer_runs.h"
+#include "calibration/answer/answer_json.h"
+#include "calibration/answer/answer_text.h"
 #include "calibration/answer/said_once.h"
 #include "files/error.h"
+#include "scene/bearing_catalogue.h"
 #include <algorithm>
 #include <fstream>
 #include <gtest/gtest.h>

@@ -2,6 +2,7 @@
 // it.
 #include "answer_runs.h"
 #include "calibration/answer/kept_errors.h"
+#include "scene/bearing_catalogue.h"
 #include "scene/rim_identity.h"
 #include <algorithm>
 #include <array>

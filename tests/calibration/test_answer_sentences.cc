@@ -1,9 +1,11 @@
 // Every sentence of an answer used: what it says is typed into a scene and run.
 #include "answer_runs.h"
-#include "calibration/answer/answer_parts.h"
+#include "calibration/answer/answer_mesh_error.h"
+#include "calibration/answer/answer_range.h"
 #include "calibration/laws/law_errors.h"
 #include "calibration/laws/percent.h"
 #include "calibration/laws/windows_table.h"
+#include "scene/toml_writer.h"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <iterator>

@@ -1,6 +1,7 @@
 #include "answer_fixture.h"
 #include "calibration/export/csi.h"
 #include "calibration/export/gap_springs.h"
+#include "calibration/export/law_csv.h"
 #include "files/error.h"
 #include <gtest/gtest.h>
 #include <set>

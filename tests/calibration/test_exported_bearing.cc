@@ -2,6 +2,7 @@
 #include "answer_fixture.h"
 #include "calibration/export/csi.h"
 #include "calibration/export/opensees.h"
+#include "calibration/export/self_check_text.h"
 #include "reduced_models/physical_model.h"
 #include <gtest/gtest.h>
 
@@ -165,9 +166,9 @@ TEST(SelfCheck, SecondHitsMeetTheDent) {
     }
   }
   const auto springs = opensees_rim(rim).check;
-  for (const auto &doubt : springs.doubts()) EXPECT_NE(doubt.find("kN"), std::string::npos) << doubt;
-  EXPECT_EQ(springs.doubts().size(), std::size_t(springs.again() > 0.1) + std::size_t(springs.again_new() > 0.1));
-  const auto lines = springs.lines();
+  for (const auto &doubt : doubts_of(springs)) EXPECT_NE(doubt.find("kN"), std::string::npos) << doubt;
+  EXPECT_EQ(doubts_of(springs).size(), std::size_t(springs.again() > 0.1) + std::size_t(springs.again_new() > 0.1));
+  const auto lines = lines_of(springs);
   EXPECT_EQ(std::count_if(lines.begin(), lines.end(),
                           [](const auto &line) { return line.find("rim_round, a new rim") != std::string::npos; }),
             5 + (springs.again_new() > 0.1));

@@ -1,3 +1,4 @@
+#include "calibration/studies/geometry_results.h"
 #include "calibration/studies/wanted_pair.h"
 #include "files/error.h"
 #include "synthetic.h"

@@ -1,5 +1,6 @@
 #include "calibration/fit/shooting.h"
 #include "files/error.h"
+#include "reduced_models/simulate.h"
 #include "synthetic.h"
 #include <gtest/gtest.h>
 

@@ -6,6 +6,7 @@
 #include "calibration/fit/shooting.h"
 #include "files/error.h"
 #include "measured_synthetic.h"
+#include "reduced_models/simulate.h"
 #include <algorithm>
 #include <fstream>
 #include <functional>

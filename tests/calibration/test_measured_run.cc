@@ -2,6 +2,8 @@
 #include "calibration/data/force_factor.h"
 #include "calibration/data/measured_run.h"
 #include "files/error.h"
+#include "reduced_models/simulate.h"
+#include "scene/toml_writer.h"
 #include "synthetic.h"
 #include <algorithm>
 #include <fstream>

@@ -10,6 +10,8 @@
 #include "files/error.h"
 #include "impact_laws/catalogue.h"
 #include "measured_synthetic.h"
+#include "reduced_models/simulate.h"
+#include "scene/toml_writer.h"
 #include <fstream>
 #include <gtest/gtest.h>
 

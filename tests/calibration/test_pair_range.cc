@@ -1,5 +1,6 @@
 #include "calibration/laws/pair_range.h"
 #include "measured_synthetic.h"
+#include "reduced_models/simulate.h"
 #include <gtest/gtest.h>
 
 namespace rimpact::calibration {

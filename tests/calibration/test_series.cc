@@ -1,4 +1,5 @@
 #include "calibration/data/impact_window.h"
+#include "calibration/data/pulse.h"
 #include "calibration/data/series.h"
 #include <algorithm>
 #include <cmath>

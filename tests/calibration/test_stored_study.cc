@@ -1,4 +1,5 @@
 #include "calibration/studies/stored_study.h"
+#include "scene/bearing_catalogue.h"
 #include "scene/rim_identity.h"
 #include <filesystem>
 #include <fstream>

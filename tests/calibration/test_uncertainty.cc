@@ -1,5 +1,6 @@
 #include "calibration/fit/fit.h"
 #include "measured_synthetic.h"
+#include "reduced_models/simulate.h"
 #include "synthetic.h"
 #include <gtest/gtest.h>
 

@@ -1,6 +1,7 @@
 // What acts on the mass of rung rim beside the rim: derivatives against differences, and a dish that does not ring.
 #include "fe_contact/drive/order.h"
 #include "fe_contact/rungs/mass_loads.h"
+#include "fe_contact/rungs/rim.h"
 #include <gtest/gtest.h>
 
 namespace {

@@ -3,6 +3,7 @@
 #include "fe_contact/drive/order.h"
 #include "fe_contact/drive/top_drive.h"
 #include "fe_contact/engine/internal_forces.h"
+#include "fe_contact/rungs/rim.h"
 #include <cmath>
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

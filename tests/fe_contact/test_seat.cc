@@ -1,6 +1,6 @@
 // The pad by friction in the foot's recess: what bottom and wall carry when it is pressed and dragged.
 #include "fe_contact/drive/top_drive.h"
-#include "fe_contact/rungs/catalogue.h"
+#include "fe_contact/rungs/rigid_dish.h"
 #include <gtest/gtest.h>
 
 namespace rimpact::fe {

@@ -3,11 +3,14 @@
 #include "../scene/temporary_folder.h"
 #include "files/file.h"
 #include "files/folder_lock.h"
+#include "files/table_csv.h"
 #include "fleets/fleet.h"
 #include "fleets/fleet_folder.h"
 #include "fleets/fleet_table.h"
 #include "reduced_models/physical_model.h"
+#include "reduced_models/simulate.h"
 #include "responses/identity.h"
+#include "responses/physics_version.h"
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>

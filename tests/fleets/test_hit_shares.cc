@@ -1,5 +1,6 @@
 // Which share of a fleet's hits lies where the models are not known to hold.
 #include "../scene/temporary_folder.h"
+#include "files/table_csv.h"
 #include "fleets/fleet.h"
 #include "fleets/fractiles.h"
 #include <cmath>

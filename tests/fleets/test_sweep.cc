@@ -1,4 +1,5 @@
 #include "../scene/expect_error.h"
+#include "fleets/grid_arguments.h"
 #include "fleets/sweep.h"
 #include <algorithm>
 #include <cmath>

@@ -7,8 +7,10 @@
 #include "records/record.h"
 #include "records/record_format.h"
 #include "responses/kept_run.h"
-#include "responses/response_files.h"
+#include "responses/response_csv.h"
+#include "responses/response_hdf5.h"
 #include "scene/scene.h"
+#include "scene/toml_writer.h"
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>

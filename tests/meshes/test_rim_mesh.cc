@@ -3,6 +3,7 @@
 #include "meshes/hex_order.h"
 #include "meshes/rim_mesh.h"
 #include "meshes/section.h"
+#include "scene/bearing_catalogue.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,5 @@
 // The ledger closes to 1e-6 of the input, for every law and for the hard cases.
+#include "reduced_models/simulate.h"
 #include "scenes.h"
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
 // Recorded friction opposes the recorded velocity, also in the step that ends at a reversal or a stop.
+#include "reduced_models/simulate.h"
 #include "scenes.h"
 #include <gtest/gtest.h>
 

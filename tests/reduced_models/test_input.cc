@@ -2,6 +2,7 @@
 #include "files/error.h"
 #include "impact_laws/catalogue.h"
 #include "reduced_models/catalogue.h"
+#include "reduced_models/simulate.h"
 #include "scenes.h"
 #include <gtest/gtest.h>
 

@@ -1,5 +1,7 @@
 // Friction by pressure, temperature and table, in the models that slide by it.
 #include "files/error.h"
+#include "reduced_models/simulate.h"
+#include "scene/toml_writer.h"
 #include "scenes.h"
 #include <algorithm>
 #include <fstream>

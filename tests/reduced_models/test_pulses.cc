@@ -1,4 +1,5 @@
 // Both pulses of the thesis: the facts of the notes, independence of direction, of tolerance and of storage.
+#include "reduced_models/simulate.h"
 #include "scenes.h"
 #include <algorithm>
 #include <gtest/gtest.h>

@@ -3,6 +3,7 @@
 #include "reduced_models/pad_on_dish.h"
 #include "reduced_models/physical_model.h"
 #include "reduced_models/riding_height.h"
+#include "reduced_models/simulate.h"
 #include "scenes.h"
 #include <algorithm>
 #include <gtest/gtest.h>

@@ -6,6 +6,7 @@
 #include "reduced_models/curve_limits.h"
 #include "reduced_models/rim_curve_file.h"
 #include "reduced_models/run_doubts.h"
+#include "reduced_models/simulate.h"
 #include "scene/rim_identity.h"
 #include "scenes.h"
 #include <filesystem>

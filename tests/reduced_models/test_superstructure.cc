@@ -1,6 +1,8 @@
 // Buildings on the physical model: against modal superposition, a single mass on a held base, and limits.
 #include "../scene/expect_error.h"
+#include "reduced_models/simulate.h"
 #include "reduced_models/superstructure.h"
+#include "scene/toml_writer.h"
 #include "scenes.h"
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>

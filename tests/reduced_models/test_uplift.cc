@@ -1,4 +1,5 @@
 // The unilateral constraint against a gap element of finite stiffness, integrated by fixed steps in x, y, z.
+#include "reduced_models/simulate.h"
 #include "scenes.h"
 #include <gtest/gtest.h>
 

@@ -4,6 +4,7 @@
 #include "reliability/failure_rate.h"
 #include "risk/disaggregation.h"
 #include "risk/rate_doubts.h"
+#include "risk/study_reader.h"
 #include <numeric>
 #include <random>
 

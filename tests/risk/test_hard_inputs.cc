@@ -2,6 +2,7 @@
 #include "files/error.h"
 #include "made_up.h"
 #include "risk/evaluate.h"
+#include "risk/study_reader.h"
 #include <functional>
 #include <gtest/gtest.h>
 

@@ -3,6 +3,7 @@
 #include "reliability/failure_rate.h"
 #include "reliability/normal.h"
 #include "risk/evaluate.h"
+#include "risk/study_reader.h"
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <numeric>

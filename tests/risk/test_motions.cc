@@ -4,6 +4,7 @@
 #include "records/record.h"
 #include "records/spectral_acceleration.h"
 #include "risk/motions.h"
+#include "risk/study_reader.h"
 #include <algorithm>
 #include <filesystem>
 

@@ -1,6 +1,7 @@
 /// Scenes from text, and whether two of them say the same.
 #pragma once
 #include "scene/scene.h"
+#include "scene/toml_writer.h"
 #include <gtest/gtest.h>
 
 namespace rimpact::scene {

@@ -2,7 +2,9 @@
 #include "expect_error.h"
 #include "files/toml_comments.h"
 #include "scene/assumptions.h"
+#include "scene/bearing_catalogue.h"
 #include "scene/scene.h"
+#include "scene/toml_writer.h"
 #include "temporary_folder.h"
 #include <algorithm>
 

@@ -1,5 +1,6 @@
 #include "expect_error.h"
 #include "scene/bearing.h"
+#include "scene/bearing_catalogue.h"
 #include "scene/scene.h"
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,12 @@
 // The rim's law from a calibration folder, in the place of a scene's own.
 #include "expect_error.h"
+#include "scene/bearing_catalogue.h"
 #include "scene/doubts.h"
+#include "scene/element_doubts.h"
 #include "scene/rim_identity.h"
 #include "scene/scene.h"
 #include "scene/stack_terms.h"
+#include "scene/toml_writer.h"
 #include "temporary_folder.h"
 #include <algorithm>
 #include <fmt/format.h>

@@ -1,4 +1,6 @@
+#include "scene/bearing_catalogue.h"
 #include "scene/doubts.h"
+#include "scene/element_doubts.h"
 #include "scene/rim_identity.h"
 #include "temporary_folder.h"
 #include <functional>

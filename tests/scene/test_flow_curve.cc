@@ -2,6 +2,7 @@
 #include "expect_error.h"
 #include "scene/flow_curve.h"
 #include "scene/rim_identity.h"
+#include "scene/toml_writer.h"
 #include "scene_text.h"
 #include <cmath>
 #include <filesystem>

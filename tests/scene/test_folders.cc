@@ -4,8 +4,11 @@
 #include "files/file.h"
 #include "files/folder_lock.h"
 #include "responses/kept_run.h"
+#include "responses/physics_version.h"
+#include "responses/run_folder.h"
 #include "responses/summary.h"
 #include "scene/names.h"
+#include "scene/toml_writer.h"
 #include "temporary_folder.h"
 #include <fmt/format.h>
 #include <sys/stat.h>

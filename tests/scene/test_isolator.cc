@@ -4,6 +4,8 @@
 #include "scene/isolator_catalogue.h"
 #include "scene/keys.h"
 #include "scene/scene.h"
+#include "scene/scene_keys.h"
+#include "scene/toml_writer.h"
 #include <algorithm>
 #include <cmath>
 

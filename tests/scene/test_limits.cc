@@ -1,6 +1,7 @@
 #include "responses/limits.h"
 #include "responses/steel_by_depth.h"
 #include "scene/assumptions.h"
+#include "scene/bearing_catalogue.h"
 #include "scene/rim_identity.h"
 #include <filesystem>
 #include <fstream>

@@ -3,6 +3,7 @@
 #include "scene/new_case.h"
 #include "scene/scene.h"
 #include "scene/scene_catalogue.h"
+#include "scene/toml_writer.h"
 #include "temporary_folder.h"
 #include <fmt/format.h>
 #include <gtest/gtest.h>

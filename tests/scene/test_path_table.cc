@@ -2,6 +2,7 @@
 #include "files/error.h"
 #include "files/file.h"
 #include "scene/scene.h"
+#include "scene/toml_writer.h"
 #include <filesystem>
 #include <gtest/gtest.h>
 #include <unistd.h>

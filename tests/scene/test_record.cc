@@ -1,4 +1,5 @@
 #include "expect_error.h"
+#include "records/near_fault_pulse.h"
 #include "records/record.h"
 #include "temporary_folder.h"
 #include <cmath>

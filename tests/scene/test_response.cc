@@ -1,5 +1,7 @@
 #include "expect_error.h"
 #include "files/file.h"
+#include "responses/response_csv.h"
+#include "responses/response_hdf5.h"
 #include "responses/summary.h"
 #include "temporary_folder.h"
 #include <cmath>

@@ -3,6 +3,7 @@
 #include "responses/limits.h"
 #include "scene/rim_identity.h"
 #include "scene/scene.h"
+#include "scene/toml_writer.h"
 #include <cmath>
 #include <gtest/gtest.h>
 

@@ -1,5 +1,7 @@
 // What a scene or bearing writes, it reads back exactly.
+#include "scene/bearing_catalogue.h"
 #include "scene/scene_catalogue.h"
+#include "scene/toml_writer.h"
 #include "scene_text.h"
 #include "temporary_folder.h"
 #include <cmath>

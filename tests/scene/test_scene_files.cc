@@ -1,5 +1,6 @@
 // Files beside a scene: its bearing, its records, the table of its surface.
 #include "expect_error.h"
+#include "scene/toml_writer.h"
 #include "scene_text.h"
 #include "temporary_folder.h"
 #include <cmath>

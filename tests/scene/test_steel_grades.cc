@@ -2,6 +2,7 @@
 #include "expect_error.h"
 #include "scene/steel_doubts.h"
 #include "scene/steel_grades.h"
+#include "scene/toml_writer.h"
 #include "scene_text.h"
 #include <cmath>
 #include <fmt/format.h>

@@ -1,6 +1,7 @@
 // The steel's law of the strain rate in files: its keys, what is refused, what it changes and what it leaves alone.
 #include "expect_error.h"
 #include "scene/rim_identity.h"
+#include "scene/toml_writer.h"
 #include "scene_text.h"
 #include <algorithm>
 

@@ -1,7 +1,9 @@
 #include "expect_error.h"
 #include "responses/identity.h"
 #include "responses/open_impact.h"
+#include "responses/run_folder.h"
 #include "responses/summary.h"
+#include "scene/toml_writer.h"
 #include "temporary_folder.h"
 #include <cmath>
 

@@ -1,5 +1,6 @@
 #include "scene/scene.h"
 #include "scene/scene_catalogue.h"
+#include "scene/toml_writer.h"
 #include <gtest/gtest.h>
 
 namespace {

@@ -1,6 +1,8 @@
 // Pulses, and accelerations in every direction.
 #include "files/table.h"
+#include "files/table_csv.h"
 #include "records/daubechies.h"
+#include "records/near_fault_pulse.h"
 #include "records/record.h"
 #include "records/rotated_spectrum.h"
 #include "records/spectral_acceleration.h"

@@ -5,7 +5,9 @@
 // for a large one. Far above, the factor is held up (threads that spin, a slow BLAS).
 #include "fe_contact/drive/mpi_start.h"
 #include "fe_contact/rungs/bearing_model.h"
-#include "fe_contact/rungs/catalogue.h"
+#include "fe_contact/rungs/full.h"
+#include "fe_contact/rungs/rigid_dish.h"
+#include "fe_contact/rungs/rim.h"
 #include "fe_contact/solver/ranks.h"
 #include "fe_contact/solver/sgemm.h"
 #include "fe_contact/solver/stopwatch.h"

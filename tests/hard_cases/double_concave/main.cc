@@ -1,6 +1,7 @@
 // hard_cases_double_concave [--baseline FILE] [--write FILE]: the table of hard cases of the DCFP and
 // LIR-DCFP models, on standard output. Exit 1: a row that must be right is not, or the table differs from the
 // baseline by 1 %.
+#include "reduced_models/simulate.h"
 #include "tests/reduced_models/rigid_body/scenes.h"
 #include <algorithm>
 #include <cmath>

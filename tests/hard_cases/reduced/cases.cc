@@ -1,4 +1,5 @@
 #include "cases.h"
+#include "reduced_models/simulate.h"
 #include <cmath>
 #include <fmt/format.h>
 #include <numbers>

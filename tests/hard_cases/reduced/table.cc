@@ -1,4 +1,5 @@
 #include "table.h"
+#include "reduced_models/simulate.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

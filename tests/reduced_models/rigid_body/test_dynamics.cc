@@ -1,5 +1,6 @@
 // Whole histories: against the physical model on a sphere of radius R_eff, energy, space, number of points.
 #include "quasi_static_loop.h"
+#include "reduced_models/simulate.h"
 #include "scenes.h"
 #include <algorithm>
 #include <gtest/gtest.h>

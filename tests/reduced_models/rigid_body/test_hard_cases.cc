@@ -1,4 +1,5 @@
 // What may go wrong in such a bearing, each with its outcome.
+#include "reduced_models/simulate.h"
 #include "scenes.h"
 #include <gtest/gtest.h>
 

@@ -1,5 +1,6 @@
 // Friction by pressure and temperature on two dishes: the tangent, the heat, and a single surface's limit.
 #include "reduced_models/rigid_body/rigid_bearing.h"
+#include "reduced_models/simulate.h"
 #include "scenes.h"
 #include <gtest/gtest.h>
 

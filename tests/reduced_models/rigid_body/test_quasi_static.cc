@@ -1,5 +1,6 @@
 // Slow loops against the closed form; appendix B's sequence of hits.
 #include "quasi_static_loop.h"
+#include "reduced_models/simulate.h"
 #include "scenes.h"
 #include <gtest/gtest.h>
 

@@ -1,6 +1,7 @@
 // Buildings on double concave bearings: the coupled tangent, energy, and the physical model's own building.
 #include "quasi_static_loop.h"
 #include "reduced_models/rigid_body/storey_link.h"
+#include "reduced_models/simulate.h"
 #include "scenes.h"
 #include <gtest/gtest.h>
 

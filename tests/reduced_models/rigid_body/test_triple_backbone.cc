@@ -1,5 +1,6 @@
 // The triple pendulum, slowly: the five stages of Fenz and Constantinou (2008), whole loops, what its faces report.
 #include "reduced_models/rigid_body/triple_parts.h"
+#include "reduced_models/simulate.h"
 #include "scene/isolator_catalogue.h"
 #include "scenes.h"
 #include "triple_loop.h"

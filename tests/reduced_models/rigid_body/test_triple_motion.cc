@@ -1,4 +1,5 @@
 // The triple pendulum in time: energy, uplift, space, what it becomes where its inner slider sticks, friction's laws.
+#include "reduced_models/simulate.h"
 #include "scene/isolator_catalogue.h"
 #include "scenes.h"
 #include <algorithm>

@@ -3,6 +3,7 @@
 // errors) and FOLDER/NAME-reference.json; work_precision.py makes the table.
 #include "problem.h"
 #include "reduced_models/physical_model.h"
+#include "reduced_models/simulate.h"
 #include <cmath>
 #include <ctime>
 #include <filesystem>

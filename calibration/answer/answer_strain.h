@@ -1,0 +1,9 @@
+/// What the runs say of the steel: strain and damage by place, and the speeds at which limits are passed.
+#pragma once
+#include "calibration/answer/answer.h"
+
+namespace rimpact::calibration {
+
+std::optional<AnswerStrain> answer_strain(const Calibration &calibration, const std::vector<const StoredRun *> &runs);
+
+} // namespace rimpact::calibration

@@ -1,0 +1,10 @@
+/// The keys of scene files beside the bearing.
+#pragma once
+#include "scene/keys.h"
+
+namespace rimpact::scene {
+
+/// [load], [excitation], [model], [reduced], [isolator], [superstructure]
+void visit_settings(KeyVisitor &visitor, Scene &scene);
+
+} // namespace rimpact::scene
