@@ -1,3 +1,4 @@
+#include "../scene/temporary_folder.h"
 #include "buildings/assembly.h"
 #include "buildings/beam_column.h"
 #include "buildings/frame_doubts.h"
@@ -207,12 +208,11 @@ TEST(Building, IsRefusedWithASentence) {
 }
 
 TEST(Building, ABearingsFileIsSoughtBesideTheFrame) {
-  const std::string folder = testing::TempDir() + "rimpact-beside-" + std::to_string(getpid());
-  std::filesystem::create_directory(folder);
-  std::ofstream(folder + "/mine.toml") << "[rim]\nheight_mm = 60\n";
+  const TemporaryFolder kept;
+  const std::string folder = kept.path();
+  kept.write("mine.toml", "[rim]\nheight_mm = 60\n");
   const auto frame = parse_building("x_m = [0, 8]\ny_m = [0, 8]\n[bearings]\n1 = \"mine.toml\"\n2 = \"fps-225\"\n",
                                     folder + "/frame.toml");
   EXPECT_EQ(frame.bearings.at(1), folder + "/mine.toml");
   EXPECT_EQ(frame.bearings.at(2), "fps-225");
-  std::filesystem::remove_all(folder);
 }

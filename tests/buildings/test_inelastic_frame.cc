@@ -1,4 +1,5 @@
 // The inelastic frame of thesis 2.5: against the linear building, its energies, convergence, files, refusals.
+#include "../scene/temporary_folder.h"
 #include "buildings/builtin_buildings.h"
 #include "buildings/frame_tables.h"
 #include "buildings/implicit_run.h"
@@ -156,10 +157,9 @@ TEST(InelasticFrame, DesignScalesWithTheShear) {
 
 TEST(InelasticFrame, ItsTablesAreTheFrame) {
   const Frame f = make_frame(thesis_plane());
-  const std::string folder = testing::TempDir() + "inelastic-tables";
-  std::filesystem::create_directories(folder);
-  write_tables(f, folder);
-  const Frame again = read_tables(folder);
+  const TemporaryFolder folder;
+  write_tables(f, folder.path());
+  const Frame again = read_tables(folder.path());
   EXPECT_TRUE(again.inelastic());
   EXPECT_EQ(tables_of(again), tables_of(f));
 }

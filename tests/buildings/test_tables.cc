@@ -1,4 +1,5 @@
 // Frames as tables: written and read back, and what is refused.
+#include "../scene/temporary_folder.h"
 #include "buildings/frame_source.h"
 #include "buildings/frame_tables.h"
 #include "buildings/modes.h"
@@ -13,17 +14,7 @@
 using namespace rimpact;
 using namespace rimpact::buildings;
 
-namespace {
-
-std::string fresh_folder() {
-  const auto folder = std::filesystem::temp_directory_path() /
-                      ("rimpact-tables-" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directories(folder);
-  return folder.string();
-}
-
-} // namespace
+namespace {} // namespace
 
 TEST(FrameTables, ReadBackToTheSameBuilding) {
   RegularBuilding b = load_building("thesis-2.4");
@@ -31,7 +22,8 @@ TEST(FrameTables, ReadBackToTheSameBuilding) {
   b.eccentricity = {0.1, 0.2};
   b.damping_ratio = 0.05;
   const Frame written = make_frame(b);
-  const std::string folder = fresh_folder();
+  const TemporaryFolder kept;
+  const std::string folder = kept.path();
   write_tables(written, folder);
   const Frame read = load_frame(folder);
   EXPECT_EQ(read.sections.size(), 2u);
@@ -47,7 +39,8 @@ TEST(FrameTables, ReadBackToTheSameBuilding) {
 }
 
 TEST(FrameTables, AreRefusedWithFileAndLine) {
-  const std::string folder = fresh_folder();
+  const TemporaryFolder kept;
+  const std::string folder = kept.path();
   /// Of the tables with one of them changed; without the folder. Data files are exit code 3.
   const auto refusal_of = [&](const std::string &file, const auto &changed) {
     write_tables(make_frame(load_building("thesis-2.4")), folder);
@@ -100,7 +93,8 @@ TEST(FrameTables, AreRefusedWithFileAndLine) {
 }
 
 TEST(FrameSource, ABearingsFileLiesBesideTheTables) {
-  const std::string folder = fresh_folder();
+  const TemporaryFolder kept;
+  const std::string folder = kept.path();
   RegularBuilding b = load_building("thesis-2.4");
   b.bearings = {{1, "mine.toml"}, {2, "fps-225"}};
   write_tables(make_frame(b), folder);

@@ -1,3 +1,4 @@
+#include "../scene/temporary_folder.h"
 #include "calibration/studies/stored_study.h"
 #include "scene/bearing_catalogue.h"
 #include "scene/rim_identity.h"
@@ -101,7 +102,8 @@ TEST_F(ErrorEstimate, IsNoneForAReferenceWithoutLimitAnotherRungBearingOrNoImpac
 }
 
 TEST(StoredStudies, AreReadFromBesideTheRunAndOthersPassedOver) {
-  const auto folder = std::filesystem::temp_directory_path() / "rimpact_stored_studies";
+  const TemporaryFolder kept;
+  const std::filesystem::path folder = kept.path();
   std::filesystem::create_directories(folder / "study-a");
   std::filesystem::create_directories(folder / "study-b");
   auto json = study("", 0.3, 0.01, true).json;
@@ -113,7 +115,6 @@ TEST(StoredStudies, AreReadFromBesideTheRunAndOthersPassedOver) {
   int own = 0;
   for (const auto &found : stored_studies(folder)) own += found.rim_identity == scene::rim_identity(mine.bearing);
   EXPECT_EQ(own, 1);
-  std::filesystem::remove_all(folder);
 }
 
 TEST(StoredStudies, OfTheProgramKnowTheDefaultBearing) {

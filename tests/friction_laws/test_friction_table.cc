@@ -1,8 +1,7 @@
 // Measured friction: between rows, beyond them, and what is wrong with a file.
+#include "../scene/temporary_folder.h"
 #include "files/error.h"
 #include "friction_laws/friction_law.h"
-#include <filesystem>
-#include <fstream>
 #include <gtest/gtest.h>
 
 using namespace rimpact;
@@ -11,9 +10,8 @@ using namespace rimpact::friction;
 namespace {
 
 FrictionTable read(const std::string &text) {
-  const std::string file = ::testing::TempDir() + "friction_table.csv";
-  std::ofstream(file) << text;
-  return read_friction_table(file);
+  const TemporaryFolder folder;
+  return read_friction_table(folder.write("friction_table.csv", text));
 }
 std::string refusal(const std::string &text) {
   try {

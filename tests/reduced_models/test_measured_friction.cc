@@ -1,4 +1,5 @@
 // Friction by pressure, temperature and table, in the models that slide by it.
+#include "../scene/temporary_folder.h"
 #include "files/error.h"
 #include "reduced_models/simulate.h"
 #include "scene/toml_writer.h"
@@ -132,8 +133,8 @@ TEST(MeasuredFriction, AFlightCarriesItsHeatOn) {
 }
 
 TEST(MeasuredFriction, ATableIsRead) {
-  const std::string folder = ::testing::TempDir(), file = folder + "table_of_friction.csv";
-  std::ofstream(file) << "speed_m_per_s,mu\n0,0.07\n1,0.07\n";
+  const TemporaryFolder folder;
+  const std::string file = folder.write("table_of_friction.csv", "speed_m_per_s,mu\n0,0.07\n1,0.07\n");
   const auto set = "reduced.mu_table=\"" + file + "\"";
   const auto s = scene::load_scene("ricker-0.78g-1.0s", {set});
   ASSERT_TRUE(s.reduced.measured.table);

@@ -4,6 +4,7 @@
 #include "scene/rim_identity.h"
 #include "scene/toml_writer.h"
 #include "scene_text.h"
+#include "temporary_folder.h"
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -67,11 +68,10 @@ TEST(FlowCurve, ATensileTestIsMadeTrueAndCutWhereItNecks) {
 }
 
 TEST(FlowCurve, AFileBesideTheSceneIsRead) {
-  const auto folder = std::filesystem::temp_directory_path() / "rimpact_flow_curve";
-  std::filesystem::create_directories(folder);
-  const auto write = [&](const std::string &text) { std::ofstream(folder / "steel.csv") << text; };
-  std::ofstream(folder / "scene.toml") << curve_head << "curve = \"steel.csv\"\n";
-  const auto read = [&] { return load_scene((folder / "scene.toml").string()); };
+  const TemporaryFolder folder;
+  const auto write = [&](const std::string &text) { folder.write("steel.csv", text); };
+  folder.write("scene.toml", curve_head + "curve = \"steel.csv\"\n");
+  const auto read = [&] { return load_scene(folder / "scene.toml"); };
   write("# a mill certificate\nplastic_strain,true_stress_MPa\n0,355\n0.02,360\n0.1,520\n");
   EXPECT_EQ(read().bearing, scene_of(curve_head + three_rows).bearing);
   const auto refused = [&](const std::string &text, std::initializer_list<const char *> words) {
