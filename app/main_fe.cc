@@ -1,10 +1,10 @@
 // The finite-element executable: run, mesh, curve, version, and check of a scene with a mesh of its own. Starts PETSc
 // (and MPI) once; under mpirun the first rank speaks.
-#include "app/catalogue.h"
-#include "app/command.h"
+#include "app/console/command.h"
+#include "app/verbs/catalogue.h"
 #include "fe_contact/drive/mpi_start.h"
 #include "fe_contact/drive/run.h"
-#include "files/library_threads.h"
+#include "io/files/library_threads.h"
 
 #include <chrono>
 #include <csignal>

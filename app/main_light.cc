@@ -1,9 +1,9 @@
 // The light executable: everything but finite elements, which it hands to its sibling.
-#include "app/catalogue.h"
-#include "app/command.h"
-#include "app/rank_launcher.h"
-#include "app/sibling.h"
-#include "files/library_threads.h"
+#include "app/console/command.h"
+#include "app/console/sibling.h"
+#include "app/jobs/rank_launcher.h"
+#include "app/verbs/catalogue.h"
+#include "io/files/library_threads.h"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #include "buildings/assembly.h"
 #include "buildings/beam_column.h"
 #include "buildings/modes.h"
-#include "files/error.h"
+#include "io/files/error.h"
 #include <algorithm>
 #include <Eigen/Cholesky>
 #include <fmt/format.h>

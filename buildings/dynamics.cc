@@ -1,5 +1,5 @@
 #include "buildings/dynamics.h"
-#include "files/error.h"
+#include "io/files/error.h"
 #include <cmath>
 #include <fmt/format.h>
 

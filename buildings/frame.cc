@@ -1,5 +1,5 @@
 #include "buildings/frame.h"
-#include "files/error.h"
+#include "io/files/error.h"
 #include <algorithm>
 #include <Eigen/Geometry>
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 /// A frame of beam-columns, rigid diaphragms, supports: linear in space, or inelastic in the plane of x and z. SI
 /// units, z upwards.
 #pragma once
-#include "files/choice.h"
-#include "files/error.h"
+#include "io/files/choice.h"
+#include "io/files/error.h"
 #include <Eigen/Core>
 #include <optional>
 #include <string>

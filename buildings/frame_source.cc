@@ -3,9 +3,9 @@
 #include "buildings/frame_tables.h"
 #include "buildings/plane_frame.h"
 #include "buildings/regular_building.h"
-#include "files/error.h"
-#include "files/file.h"
-#include "files/toml_file.h"
+#include "io/files/error.h"
+#include "io/files/file.h"
+#include "io/files/toml_file.h"
 #include "scene/isolator_catalogue.h"
 #include <algorithm>
 #include <filesystem>

@@ -1,9 +1,9 @@
 #include "buildings/frame_tables.h"
 #include "buildings/frame_source.h"
-#include "files/error.h"
-#include "files/file.h"
-#include "files/table_lines.h"
-#include "files/text.h"
+#include "io/files/error.h"
+#include "io/files/file.h"
+#include "io/files/table_lines.h"
+#include "io/files/text.h"
 #include <array>
 #include <cmath>
 #include <filesystem>

@@ -1,5 +1,5 @@
 #include "buildings/hinge_envelope.h"
-#include "files/file.h"
+#include "io/files/file.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

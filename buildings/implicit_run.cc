@@ -1,5 +1,5 @@
 #include "buildings/implicit_run.h"
-#include "files/error.h"
+#include "io/files/error.h"
 #include <algorithm>
 #include <cmath>
 #include <Eigen/LU>

@@ -1,6 +1,6 @@
 #include "buildings/inelastic_frame.h"
 #include "buildings/plane_beam_column.h"
-#include "files/error.h"
+#include "io/files/error.h"
 #include <algorithm>
 #include <cmath>
 #include <Eigen/LU>

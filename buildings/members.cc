@@ -1,6 +1,6 @@
 #include "buildings/members.h"
 #include "buildings/beam_column.h"
-#include "files/file.h"
+#include "io/files/file.h"
 #include <fmt/format.h>
 
 namespace rimpact::buildings {

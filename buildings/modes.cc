@@ -1,5 +1,5 @@
 #include "buildings/modes.h"
-#include "files/error.h"
+#include "io/files/error.h"
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <fmt/format.h>

@@ -1,9 +1,9 @@
 #include "buildings/plane_frame.h"
 #include "buildings/frame_design.h"
 #include "buildings/regular_building.h"
-#include "files/error.h"
-#include "files/key_list.h"
-#include "files/toml_reader.h"
+#include "io/files/error.h"
+#include "io/files/key_list.h"
+#include "io/files/toml_reader.h"
 #include "scene/assumptions.h"
 #include <fmt/format.h>
 

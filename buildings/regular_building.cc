@@ -1,9 +1,9 @@
 #include "buildings/regular_building.h"
 #include "buildings/builtin_buildings.h"
 #include "buildings/frame_source.h"
-#include "files/error.h"
-#include "files/text.h"
-#include "files/toml_reader.h"
+#include "io/files/error.h"
+#include "io/files/text.h"
+#include "io/files/toml_reader.h"
 #include <algorithm>
 #include <cmath>
 #include <filesystem>

@@ -1,5 +1,5 @@
 #include "buildings/rigid_mount.h"
-#include "files/error.h"
+#include "io/files/error.h"
 #include "reduced_models/rigid_body/heat_memory.h"
 #include "reduced_models/rigid_body/rigid_bearing.h"
 #include "reduced_models/rigid_body/wall_memory.h"

@@ -3,7 +3,7 @@
 #include "buildings/implicit_run.h"
 #include "buildings/inelastic_frame.h"
 #include "buildings/linear_structure.h"
-#include "files/error.h"
+#include "io/files/error.h"
 #include "reduced_models/simulate.h"
 #include <algorithm>
 #include <chrono>

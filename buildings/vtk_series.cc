@@ -1,6 +1,6 @@
 #include "buildings/vtk_series.h"
-#include "files/error.h"
-#include "files/file.h"
+#include "io/files/error.h"
+#include "io/files/file.h"
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>

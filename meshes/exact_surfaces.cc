@@ -1,6 +1,6 @@
 #include "meshes/exact_surfaces.h"
 
-#include "files/error.h"
+#include "io/files/error.h"
 #include "meshes/cell_nodes.h"
 #include "meshes/curved_edges.h"
 #include "meshes/hex_order.h"

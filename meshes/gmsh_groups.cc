@@ -1,7 +1,7 @@
 #include "meshes/gmsh_groups.h"
 
-#include "files/error.h"
-#include "files/text.h"
+#include "io/files/error.h"
+#include "io/files/text.h"
 #include "meshes/gmsh_session.h"
 #include "meshes/hex_mesh.h"
 #include <algorithm>

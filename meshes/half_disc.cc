@@ -1,6 +1,6 @@
 #include "meshes/half_disc.h"
 
-#include "files/error.h"
+#include "io/files/error.h"
 #include "meshes/gmsh_session.h"
 #include <algorithm>
 #include <cmath>

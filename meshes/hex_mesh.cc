@@ -1,7 +1,7 @@
 #include "meshes/hex_mesh.h"
 
-#include "files/error.h"
-#include "files/file.h"
+#include "io/files/error.h"
+#include "io/files/file.h"
 #include "meshes/hex_order.h"
 #include "scene/own_mesh_settings.h"
 #include <algorithm>

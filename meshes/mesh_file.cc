@@ -1,6 +1,6 @@
 #include "meshes/mesh_file.h"
 
-#include "files/error.h"
+#include "io/files/error.h"
 #include "meshes/cell_nodes.h"
 #include "meshes/gmsh_groups.h"
 #include "meshes/gmsh_session.h"

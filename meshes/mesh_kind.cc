@@ -1,8 +1,8 @@
 #include "meshes/mesh_kind.h"
 
-#include "files/error.h"
-#include "files/file.h"
-#include "files/text.h"
+#include "io/files/error.h"
+#include "io/files/file.h"
+#include "io/files/text.h"
 #include "scene/script_permission.h"
 #include <algorithm>
 #include <array>

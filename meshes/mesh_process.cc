@@ -1,6 +1,6 @@
 #include "meshes/mesh_process.h"
 
-#include "files/error.h"
+#include "io/files/error.h"
 #include "meshes/mesh_kind.h"
 #include "meshes/sandbox.h"
 #include <algorithm>

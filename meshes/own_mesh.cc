@@ -1,6 +1,6 @@
 #include "meshes/own_mesh.h"
 
-#include "files/error.h"
+#include "io/files/error.h"
 #include "meshes/exact_surfaces.h"
 #include "meshes/mesh_process.h"
 #include "meshes/mirror.h"

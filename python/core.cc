@@ -5,7 +5,7 @@
 #include "python/core_laws.h"
 #include "python/core_scene.h"
 
-#include "files/error.h"
+#include "io/files/error.h"
 #include "reduced_models/physical_model.h"
 #include "reduced_models/run_doubts.h"
 #include "reduced_models/simulate.h"

@@ -2,8 +2,8 @@
 // element.
 #include "python/core_laws.h"
 
-#include "files/error.h"
-#include "impact_laws/catalogue.h"
+#include "io/files/error.h"
+#include "laws/impact/catalogue.h"
 #include <cmath>
 
 namespace py = pybind11;

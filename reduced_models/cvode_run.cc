@@ -1,5 +1,5 @@
 #include "reduced_models/cvode_run.h"
-#include "files/error.h"
+#include "io/files/error.h"
 #include "reduced_models/hybrid_run.h"
 #include "reduced_models/rest.h"
 #include "reduced_models/sundials.h"

@@ -14,7 +14,7 @@
 /// steps: the path is kept as strokes (wall_stroke.h), those it can still see. What it knows of a place is a maximum:
 /// neither the order nor the number of the pieces matters.
 #pragma once
-#include "impact_laws/impact_law.h"
+#include "laws/impact/impact_law.h"
 #include "reduced_models/wall_stroke.h"
 #include "scene/scene.h"
 #include <optional>

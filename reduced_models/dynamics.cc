@@ -1,6 +1,6 @@
 #include "reduced_models/dynamics.h"
 
-#include "files/error.h"
+#include "io/files/error.h"
 #include "reduced_models/pad_on_dish.h"
 #include "reduced_models/rim_curve_file.h"
 #include "scene/stack_terms.h"

@@ -15,9 +15,9 @@
 /// Under a building m is the base's mass and W the whole dead load. The first storey's force (a change from the dead
 /// load) acts on the base beside the others.
 #pragma once
-#include "friction_laws/regularised.h"
-#include "friction_laws/sliding_heat.h"
-#include "impact_laws/catalogue.h"
+#include "laws/friction/regularised.h"
+#include "laws/friction/sliding_heat.h"
+#include "laws/impact/catalogue.h"
 #include "reduced_models/physical_model.h"
 #include "reduced_models/riding_height.h"
 #include "reduced_models/superstructure.h"

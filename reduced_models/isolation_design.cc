@@ -1,5 +1,5 @@
 #include "reduced_models/isolation_design.h"
-#include "files/error.h"
+#include "io/files/error.h"
 #include <array>
 #include <boost/math/tools/roots.hpp>
 #include <cmath>

@@ -1,5 +1,5 @@
 #include "reduced_models/physical_model.h"
-#include "files/error.h"
+#include "io/files/error.h"
 #include "reduced_models/hybrid_run.h"
 #include <cmath>
 #include <numbers>

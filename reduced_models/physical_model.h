@@ -3,8 +3,8 @@
 /// is not solid (on the dish itself, whatever spring the scene's pad is). SI units; the plate is fixed, u is the upper
 /// slider's displacement relative to the plate.
 #pragma once
-#include "friction_laws/regularised.h"
-#include "friction_laws/sliding_heat.h"
+#include "laws/friction/regularised.h"
+#include "laws/friction/sliding_heat.h"
 #include "reduced_models/dented_rim.h"
 #include "responses/summary.h"
 #include "scene/scene.h"
@@ -35,7 +35,7 @@ struct FlightEnd {
   bool stopped = false; ///< the stop function crossed zero before t_end
 };
 
-/// Friction force for a given normal force, smoothed at zero speed, with its derivatives (friction_laws/regularised.h).
+/// Friction force for a given normal force, smoothed at zero speed, with its derivatives (laws/friction/regularised.h).
 /// Includes the socket's share when switched on.
 using friction::FrictionForce;
 

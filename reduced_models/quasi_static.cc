@@ -1,5 +1,5 @@
 #include "reduced_models/quasi_static.h"
-#include "files/error.h"
+#include "io/files/error.h"
 #include "reduced_models/curve_limits.h"
 #include "reduced_models/dynamics.h"
 #include "reduced_models/simulate.h"

@@ -1,9 +1,9 @@
 #include "reduced_models/rim_curve_file.h"
-#include "files/error.h"
-#include "files/file.h"
-#include "files/hdf5_memory.h"
-#include "files/table.h"
-#include "files/table_csv.h"
+#include "io/files/error.h"
+#include "io/files/file.h"
+#include "io/files/hdf5_memory.h"
+#include "io/files/table.h"
+#include "io/files/table_csv.h"
 #include "scene/rim_identity.h"
 #include <cmath>
 #include <fmt/format.h>

@@ -6,7 +6,7 @@
 /// follows the dish; `held`: at the height of first touch, as an impact window without weight is. A file may hold the
 /// held path alone.
 #pragma once
-#include "impact_laws/rim_curve.h"
+#include "laws/impact/rim_curve.h"
 #include "scene/scene.h"
 #include <optional>
 

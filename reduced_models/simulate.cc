@@ -1,7 +1,7 @@
 // Whole scenes by the physical model: the entry points of physical_model.h.
 #include "reduced_models/simulate.h"
 
-#include "files/error.h"
+#include "io/files/error.h"
 #include "reduced_models/catalogue.h"
 #include "reduced_models/cvode_run.h"
 #include "reduced_models/hybrid_run.h"

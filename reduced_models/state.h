@@ -1,7 +1,7 @@
 /// What the integrators of the physical model advance: the bearing's state and, behind it, the building's; then the
 /// modes of its heat, where friction goes by them.
 #pragma once
-#include "friction_laws/sliding_heat.h"
+#include "laws/friction/sliding_heat.h"
 #include <algorithm>
 #include <array>
 

@@ -1,7 +1,7 @@
 /// How many steps a reduced model may take before it stops with a sentence. A usual run takes some thousands; one that
 /// needs a thousand times as many follows something far faster than a bearing moves, and would seem to hang.
 #pragma once
-#include "files/error.h"
+#include "io/files/error.h"
 #include <string>
 
 namespace rimpact::reduced {

@@ -1,7 +1,7 @@
 // The hybrid part of Dynamics: the events and the branch that follows each.
 #include "reduced_models/dynamics.h"
 
-#include "files/error.h"
+#include "io/files/error.h"
 #include "reduced_models/curve_limits.h"
 #include <algorithm>
 #include <cmath>

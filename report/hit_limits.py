@@ -1,4 +1,4 @@
-"""Which share of a fleet's hits on the rim lies where the models are not known to hold: fleets/hit_shares.h writes it."""
+"""Which share of a fleet's hits on the rim lies where the models are not known to hold: studies/fleets/hit_shares.h writes it."""
 import os
 from typing import Any
 

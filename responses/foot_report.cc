@@ -1,7 +1,7 @@
 #include "responses/foot_report.h"
 
-#include "files/error.h"
-#include "files/json_text.h"
+#include "io/files/error.h"
+#include "io/files/json_text.h"
 #include <algorithm>
 
 namespace rimpact {

@@ -1,5 +1,5 @@
 #include "responses/hit_limits.h"
-#include "files/json_text.h"
+#include "io/files/json_text.h"
 
 #include "responses/steel_by_depth.h"
 #include "scene/published_pair.h"

@@ -1,11 +1,11 @@
 #include "responses/identity.h"
 #include "responses/physics_version.h"
 
-#include "files/digest.h"
-#include "files/text.h"
-#include "records/near_fault_pulse.h"
-#include "records/record.h"
-#include "records/record_corrections.h"
+#include "io/files/digest.h"
+#include "io/files/text.h"
+#include "io/records/near_fault_pulse.h"
+#include "io/records/record.h"
+#include "io/records/record_corrections.h"
 #include "responses/script_files.h"
 #include "scene/toml_writer.h"
 #include <algorithm>

@@ -1,8 +1,8 @@
 #include "responses/kept_run.h"
 
-#include "files/error.h"
-#include "files/file.h"
-#include "files/text.h"
+#include "io/files/error.h"
+#include "io/files/file.h"
+#include "io/files/text.h"
 #include "scene/toml_writer.h"
 #include <array>
 #include <filesystem>

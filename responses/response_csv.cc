@@ -6,11 +6,11 @@
 
 #include "responses/response_csv.h"
 
-#include "files/binary_kind.h"
-#include "files/error.h"
-#include "files/file.h"
-#include "files/loose_cells.h"
-#include "files/text.h"
+#include "io/files/binary_kind.h"
+#include "io/files/error.h"
+#include "io/files/file.h"
+#include "io/files/loose_cells.h"
+#include "io/files/text.h"
 #include <array>
 #include <cmath>
 #include <fmt/format.h>

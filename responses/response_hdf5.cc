@@ -1,9 +1,9 @@
 // A response as HDF5, from and to bytes.
 #include "responses/response_hdf5.h"
 
-#include "files/error.h"
-#include "files/file.h"
-#include "files/hdf5_memory.h"
+#include "io/files/error.h"
+#include "io/files/file.h"
+#include "io/files/hdf5_memory.h"
 #include "responses/response_hdf5.h"
 #include <fmt/format.h>
 #include <hdf5_hl.h>

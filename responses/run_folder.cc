@@ -1,8 +1,8 @@
 #include "responses/run_folder.h"
 
-#include "files/error.h"
-#include "files/file.h"
-#include "files/json_text.h"
+#include "io/files/error.h"
+#include "io/files/file.h"
+#include "io/files/json_text.h"
 #include "responses/git_hash.h"
 #include "responses/identity.h"
 #include "responses/open_impact.h"

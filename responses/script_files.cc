@@ -1,7 +1,7 @@
 #include "responses/script_files.h"
 
-#include "files/error.h"
-#include "files/file.h"
+#include "io/files/error.h"
+#include "io/files/file.h"
 #include <filesystem>
 #include <set>
 

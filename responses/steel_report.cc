@@ -1,7 +1,7 @@
 #include "responses/steel_report.h"
 
-#include "files/error.h"
-#include "files/json_text.h"
+#include "io/files/error.h"
+#include "io/files/json_text.h"
 #include <algorithm>
 
 namespace rimpact {

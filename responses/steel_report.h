@@ -1,6 +1,6 @@
 /// The steel of a finite-element run by its places, as summary.json has it.
 #pragma once
-#include "files/choice.h"
+#include "io/files/choice.h"
 #include <Eigen/Core>
 #include <map>
 #include <nlohmann/json.hpp>

@@ -1,5 +1,5 @@
 #include "responses/summary.h"
-#include "files/json_text.h"
+#include "io/files/json_text.h"
 #include "responses/open_impact.h"
 #include <algorithm>
 #include <cmath>

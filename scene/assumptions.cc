@@ -1,8 +1,8 @@
 #include "scene/assumptions.h"
 
-#include "files/key_list.h"
-#include "files/text.h"
-#include "files/toml_reader.h"
+#include "io/files/key_list.h"
+#include "io/files/text.h"
+#include "io/files/toml_reader.h"
 #include "scene/bearing_catalogue.h"
 #include "scene/bearing_keys.h"
 #include "scene/keys.h"

@@ -1,7 +1,7 @@
 #include "scene/bearing_catalogue.h"
 
-#include "files/error.h"
-#include "files/text.h"
+#include "io/files/error.h"
+#include "io/files/text.h"
 #include "scene/assumptions.h"
 #include <array>
 

@@ -1,6 +1,6 @@
 /// Bearing::validate(), validate_rim() and check_bearing(): what cannot be built or collides over 0..L_c is refused
 /// with both numbers.
-#include "files/error.h"
+#include "io/files/error.h"
 #include "scene/flow_curve.h"
 #include "scene/keys.h"
 #include "scene/range_check.h"

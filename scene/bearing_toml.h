@@ -1,7 +1,7 @@
 /// Bearings from TOML: a file of its own, or a scene's [bearing], which starts from a built-in one, a file or nothing.
 #pragma once
-#include "files/error.h"
-#include "files/toml_reader.h"
+#include "io/files/error.h"
+#include "io/files/toml_reader.h"
 #include "scene/scene.h"
 #include <fmt/format.h>
 

@@ -6,8 +6,8 @@
 /// otherwise. EN 15129, annex J, and EN 1998-2, annex JJ, multiply other factors (ageing, temperature, contamination,
 /// travel): their products are lambda_max and lambda_min.
 #pragma once
-#include "files/choice.h"
-#include "files/key_visitor.h"
+#include "io/files/choice.h"
+#include "io/files/key_visitor.h"
 #include <optional>
 
 namespace rimpact::scene {

@@ -1,8 +1,8 @@
 #include "scene/calibrated_element.h"
 
-#include "files/file.h"
-#include "files/key_list.h"
-#include "impact_laws/rims_in_series.h"
+#include "io/files/file.h"
+#include "io/files/key_list.h"
+#include "laws/impact/rims_in_series.h"
 #include "scene/keys.h"
 #include "scene/rim_identity.h"
 #include "scene/scene_keys.h"

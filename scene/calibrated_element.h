@@ -1,6 +1,6 @@
 /// The rim's law and its numbers from a calibration folder, in the place of a scene's own.
 #pragma once
-#include "files/toml_reader.h"
+#include "io/files/toml_reader.h"
 #include "scene/bearing.h"
 #include "scene/keys.h"
 #include "scene/stack_terms.h"

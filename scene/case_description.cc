@@ -1,7 +1,7 @@
 #include "scene/case_description.h"
-#include "files/json_text.h"
+#include "io/files/json_text.h"
 
-#include "files/key_list.h"
+#include "io/files/key_list.h"
 #include "scene/assumptions.h"
 #include "scene/doubts.h"
 #include "scene/element_doubts.h"

@@ -1,7 +1,7 @@
 /// The choices of [model] and [reduced], each with the words of its key. Those of bearing, motion, isolator and
 /// superstructure stand beside them.
 #pragma once
-#include "files/choice.h"
+#include "io/files/choice.h"
 
 namespace rimpact::scene {
 

@@ -1,6 +1,6 @@
 #include "scene/element_doubts.h"
 
-#include "files/key_list.h"
+#include "io/files/key_list.h"
 #include "scene/bearing_catalogue.h"
 #include "scene/calibrated_element.h"
 #include "scene/keys.h"

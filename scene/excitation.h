@@ -1,8 +1,8 @@
 /// What moves the bearing: ground motion, prescribed motion, or a single impact. SI units.
 /// Sign: ground acceleration a_g > 0 acts along +axis; the load on the mass is -m a_g.
 #pragma once
-#include "files/choice.h"
-#include "records/sampled_signal.h"
+#include "io/files/choice.h"
+#include "io/records/sampled_signal.h"
 #include "scene/path_table.h"
 #include <Eigen/Core>
 #include <optional>

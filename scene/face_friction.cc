@@ -1,5 +1,5 @@
 #include "scene/face_friction.h"
-#include "files/error.h"
+#include "io/files/error.h"
 #include "scene/scene.h"
 #include <fmt/format.h>
 

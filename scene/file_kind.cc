@@ -1,6 +1,6 @@
 #include "scene/file_kind.h"
 
-#include "files/text.h"
+#include "io/files/text.h"
 #include "scene/bearing_catalogue.h"
 #include <algorithm>
 #include <array>

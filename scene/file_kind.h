@@ -1,6 +1,6 @@
 /// One kind of TOML file given where another is wanted. All throw InputError with what to do instead.
 #pragma once
-#include "files/toml_reader.h"
+#include "io/files/toml_reader.h"
 #include "scene/keys.h"
 
 namespace rimpact::scene {

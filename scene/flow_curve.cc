@@ -1,9 +1,9 @@
 #include "scene/flow_curve.h"
 
-#include "files/error.h"
-#include "files/file.h"
-#include "files/table_lines.h"
-#include "files/text.h"
+#include "io/files/error.h"
+#include "io/files/file.h"
+#include "io/files/table_lines.h"
+#include "io/files/text.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 #include "scene/isolator.h"
-#include "files/error.h"
+#include "io/files/error.h"
 #include "scene/triple_pendulum.h"
 #include <cmath>
 #include <fmt/format.h>

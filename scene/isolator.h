@@ -3,7 +3,7 @@
 /// with an inner slider between them (TFP; scene/triple_pendulum.h). SI units. Both plates are alike unless a `top_`
 /// key says otherwise. It stands beside `Bearing`, which stays the single-dish bearing.
 #pragma once
-#include "files/choice.h"
+#include "io/files/choice.h"
 #include "scene/choices.h"
 #include <algorithm>
 #include <optional>

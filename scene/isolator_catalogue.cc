@@ -1,6 +1,6 @@
 #include "scene/isolator_catalogue.h"
-#include "files/error.h"
-#include "files/text.h"
+#include "io/files/error.h"
+#include "io/files/text.h"
 #include <array>
 #include <fmt/format.h>
 

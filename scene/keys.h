@@ -1,7 +1,7 @@
 /// The keys of scene and bearing files, described once. A new key is one line in bearing_keys.cc,
 /// isolator_keys.cc, superstructure.cc or scene_keys.cc.
 #pragma once
-#include "files/key_visitor.h"
+#include "io/files/key_visitor.h"
 #include "scene/scene.h"
 
 namespace rimpact::scene {

@@ -1,7 +1,7 @@
 /// Data of the two materials of a bearing (thesis Table 2-1). Data only: the laws live in fe_contact/laws.
 #pragma once
-#include "files/choice.h"
-#include "files/key_visitor.h"
+#include "io/files/choice.h"
+#include "io/files/key_visitor.h"
 #include <optional>
 #include <string>
 

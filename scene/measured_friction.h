@@ -1,9 +1,9 @@
 /// Keys of [reduced] by which friction follows pressure, temperature and measured tables
-/// (friction_laws/friction_law.h). SI units, temperatures in degrees Celsius.
+/// (laws/friction/friction_law.h). SI units, temperatures in degrees Celsius.
 #pragma once
-#include "files/key_visitor.h"
-#include "friction_laws/friction_law.h"
-#include "friction_laws/sliding_heat.h"
+#include "io/files/key_visitor.h"
+#include "laws/friction/friction_law.h"
+#include "laws/friction/sliding_heat.h"
 #include <memory>
 #include <optional>
 #include <string>

@@ -1,6 +1,6 @@
 #include "scene/names.h"
 
-#include "files/error.h"
+#include "io/files/error.h"
 #include "scene/scene.h"
 #include <algorithm>
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 #include "scene/new_case.h"
 
-#include "files/key_list.h"
-#include "files/text.h"
-#include "files/toml_reader.h"
+#include "io/files/key_list.h"
+#include "io/files/text.h"
+#include "io/files/toml_reader.h"
 #include "scene/keys.h"
 #include "scene/scene_catalogue.h"
 #include "scene/scene_keys.h"

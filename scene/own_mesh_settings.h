@@ -1,6 +1,6 @@
 /// A mesh drawn elsewhere that takes the place of the built-in one: [model.own_mesh].
 #pragma once
-#include "files/choice.h"
+#include "io/files/choice.h"
 #include <array>
 #include <string>
 

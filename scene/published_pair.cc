@@ -1,5 +1,5 @@
 #include "scene/published_pair.h"
-#include "impact_laws/kelvin_voigt.h"
+#include "laws/impact/kelvin_voigt.h"
 #include "scene/doubts.h"
 #include "scene/element_doubts.h"
 #include <algorithm>

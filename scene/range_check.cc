@@ -1,8 +1,8 @@
 #include "scene/range_check.h"
 
-#include "files/error.h"
-#include "files/path_visitor.h"
-#include "files/text.h"
+#include "io/files/error.h"
+#include "io/files/path_visitor.h"
+#include "io/files/text.h"
 #include "scene/bearing_keys.h"
 #include "scene/scene_keys.h"
 #include <cmath>

@@ -1,9 +1,9 @@
 #include "scene/record_doubts.h"
-#include "files/error.h"
-#include "records/near_fault_pulse.h"
-#include "records/record.h"
-#include "records/record_doubts.h"
-#include "records/record_folder.h"
+#include "io/files/error.h"
+#include "io/records/near_fault_pulse.h"
+#include "io/records/record.h"
+#include "io/records/record_doubts.h"
+#include "io/records/record_folder.h"
 #include <array>
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 /// What holds the rim's wall on its plate. Solids are always one piece there; whether a joint bears what they carry is
 /// judged by its strength (responses/foot_strength.h).
 #pragma once
-#include "files/choice.h"
+#include "io/files/choice.h"
 #include <string>
 
 namespace rimpact::scene {

@@ -1,8 +1,8 @@
 #include "scene/rim_identity.h"
 
-#include "files/key_list.h"
-#include "files/text.h"
-#include "files/value_differences.h"
+#include "io/files/key_list.h"
+#include "io/files/text.h"
+#include "io/files/value_differences.h"
 #include "scene/bearing_keys.h"
 #include "scene/keys.h"
 #include "scene/scene.h"

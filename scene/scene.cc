@@ -1,5 +1,5 @@
 #include "scene/scene.h"
-#include "files/error.h"
+#include "io/files/error.h"
 #include "scene/face_friction.h"
 #include "scene/keys.h"
 #include "scene/names.h"

@@ -1,6 +1,6 @@
 /// A scene: a bearing, its load, what excites it, and the models' settings. Read from TOML, every default filled in.
 #pragma once
-#include "impact_laws/catalogue.h"
+#include "laws/impact/catalogue.h"
 #include "scene/bearing.h"
 #include "scene/bounds.h"
 #include "scene/choices.h"

@@ -1,6 +1,6 @@
 #include "scene/scene_catalogue.h"
-#include "files/error.h"
-#include "files/text.h"
+#include "io/files/error.h"
+#include "io/files/text.h"
 #include "scene/bearing_catalogue.h"
 #include "scene/double_concave_scenes.h"
 #include "scene/scene.h"

@@ -1,6 +1,6 @@
 /// Defaults of a scene that follow from its other keys.
 #pragma once
-#include "files/toml_reader.h"
+#include "io/files/toml_reader.h"
 #include "scene/keys.h"
 
 namespace rimpact::scene {

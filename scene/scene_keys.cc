@@ -1,6 +1,6 @@
 #include "scene/scene_keys.h"
 
-#include "files/error.h"
+#include "io/files/error.h"
 #include "scene/isolator_keys.h"
 #include <algorithm>
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 /// Scenes from TOML: defaults that depend on other keys, files beside the scene, errors with their place.
-#include "files/file.h"
-#include "files/text.h"
-#include "files/toml_reader.h"
-#include "records/record_library.h"
+#include "io/files/file.h"
+#include "io/files/text.h"
+#include "io/files/toml_reader.h"
+#include "io/records/record_library.h"
 #include "scene/bearing_keys.h"
 #include "scene/bearing_toml.h"
 #include "scene/calibrated_element.h"

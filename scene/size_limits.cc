@@ -1,6 +1,6 @@
 #include "scene/size_limits.h"
 
-#include "files/error.h"
+#include "io/files/error.h"
 #include "scene/scene.h"
 #include <fmt/format.h>
 

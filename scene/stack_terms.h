@@ -2,8 +2,8 @@
 /// socket's friction, and the travel over which the pad, in shear, builds up the friction of its face. A calibration
 /// carries them, because the bearing it was made for has them; the impact element is fitted beside them.
 #pragma once
-#include "files/choice.h"
-#include "files/toml_reader.h"
+#include "io/files/choice.h"
+#include "io/files/toml_reader.h"
 #include "scene/scene.h"
 
 namespace rimpact::scene {

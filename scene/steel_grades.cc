@@ -1,8 +1,8 @@
 #include "scene/steel_grades.h"
 
-#include "files/error.h"
-#include "files/text.h"
-#include "files/toml_file.h"
+#include "io/files/error.h"
+#include "io/files/text.h"
+#include "io/files/toml_file.h"
 #include "scene/steel_data.h"
 #include <algorithm>
 #include <cmath>

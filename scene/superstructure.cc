@@ -1,5 +1,5 @@
 #include "scene/superstructure.h"
-#include "files/error.h"
+#include "io/files/error.h"
 #include "scene/keys.h"
 #include <fmt/format.h>
 #include <numeric>

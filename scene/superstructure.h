@@ -1,7 +1,7 @@
 /// What an isolator carries: nothing that moves by itself, a one-storey inelastic frame (thesis 2.6.1, 4.3)
 /// or a linear shear building, every storey with an axial spring. SI units.
 #pragma once
-#include "files/choice.h"
+#include "io/files/choice.h"
 #include <string>
 #include <vector>
 

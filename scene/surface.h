@@ -1,7 +1,7 @@
 /// The sliding surface as an implicit function F(x, y, z) = 0 (thesis eq. 2-1) with gradient and curvature.
 /// Frame: origin at the dish's vertex, z up. SI units.
 #pragma once
-#include "files/choice.h"
+#include "io/files/choice.h"
 #include <array>
 #include <Eigen/Core>
 #include <memory>

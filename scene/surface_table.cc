@@ -1,9 +1,9 @@
 #include "scene/surface_table.h"
 
-#include "files/error.h"
-#include "files/file.h"
-#include "files/table_lines.h"
-#include "files/text.h"
+#include "io/files/error.h"
+#include "io/files/file.h"
+#include "io/files/table_lines.h"
+#include "io/files/text.h"
 #include "scene/surface_of_revolution.h"
 #include <algorithm>
 #include <fmt/format.h>

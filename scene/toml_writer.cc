@@ -1,6 +1,6 @@
 #include "scene/toml_writer.h"
 
-#include "files/key_list.h"
+#include "io/files/key_list.h"
 #include "scene/assumptions.h"
 #include "scene/bearing_keys.h"
 #include "scene/keys.h"

@@ -1,5 +1,5 @@
 #include "scene/triple_pendulum.h"
-#include "files/error.h"
+#include "io/files/error.h"
 #include <cmath>
 #include <fmt/format.h>
 #include <numbers>

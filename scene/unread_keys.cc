@@ -1,6 +1,6 @@
 #include "scene/unread_keys.h"
-#include "files/key_list.h"
-#include "files/path_visitor.h"
+#include "io/files/key_list.h"
+#include "io/files/path_visitor.h"
 #include "scene/bearing_keys.h"
 #include "scene/face_friction.h"
 #include "scene/keys.h"

@@ -1,6 +1,6 @@
 /// Keys that a scene's file gives and its run does not read.
 #pragma once
-#include "files/toml_file.h"
+#include "io/files/toml_file.h"
 #include "scene/scene.h"
 
 namespace rimpact::scene {

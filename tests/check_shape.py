@@ -11,7 +11,7 @@ from collections.abc import Iterator
 
 LONG = 40  #: lines of a function
 MOST = {"sources without a header of their own": 13, "functions over 40 lines": 18}  #: today's counts: lower them with the counts
-CATALOGUED = ("app/verb_*.cc", "records/record_*.cc")  #: declared by app/catalogue.h, records/record.h
+CATALOGUED = ("app/verbs/verb_*.cc", "io/records/record_*.cc")  #: declared by app/verbs/catalogue.h, io/records/record.h
 NO_FUNCTION = re.compile(r"^(?:namespace|struct|class|enum|union|extern|template <|using|#|//|/\*|\}|constexpr \w+ \w+\[|const \w+ \w+\[|static const)")
 
 
@@ -52,8 +52,9 @@ def main(root: pathlib.Path, listed: bool) -> int:
         if listed or len(names) > MOST[what]:
             print("\n".join(f"  {name}" for name in names))
         code |= len(names) > MOST[what]
-    lines = sum(len(file.read_text(encoding="utf-8").splitlines()) for end in ("*.h", "*.cc") for file in (root / "fe_contact").rglob(end))
-    print(f"{lines} lines in fe_contact")
+    lines = sum(len(file.read_text(encoding="utf-8").splitlines()) for end in ("*.h", "*.cc") for file in (root / "fe_contact").rglob(end)
+                if "planning" not in file.parts)
+    print(f"{lines} lines in fe_contact without its planning")
     return code
 
 

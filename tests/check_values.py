@@ -16,8 +16,8 @@ LEAST_FILES, LEAST_TABLES, LEAST_WORDS, LEAST_LAWS = 300, 25, 70, 6  #: fewer me
 
 #: Where a word is read, or is a key's or a column's name: file and word.
 EDGES = {
-    ("app/calibrate_options.cc", "none"),  # the command line: --laws all | none
-    ("fleets/sweep.cc", "record"),  # a column
+    ("app/verbs/calibrate_options.cc", "none"),  # the command line: --laws all | none
+    ("studies/fleets/sweep.cc", "record"),  # a column
     ("scene/element_doubts.cc", "reduced"),  # a section
 }
 
@@ -57,7 +57,7 @@ def main(root: str) -> int:
                if file.suffix in (".cc", ".h") and file.relative_to(top).parts[0] not in NO_SOURCES}
     tables = sum(len(TABLE.findall(text)) for text in sources.values())
     words = {word for text in sources.values() for word in words_of(text)}
-    laws = {law for name, text in sources.items() if name.startswith("impact_laws/") for law in LAW.findall(text)}
+    laws = {law for name, text in sources.items() if name.startswith("laws/impact/") for law in LAW.findall(text)}
     if len(sources) < LEAST_FILES or tables < LEAST_TABLES or len(words) < LEAST_WORDS or len(laws) < LEAST_LAWS:
         print(f"only {len(sources)} sources, {tables} tables, {len(words)} words and {len(laws)} laws found")
         return 1

@@ -1,7 +1,7 @@
 #include "calibration/answer/answer_choice.h"
 #include "calibration/laws/law_words.h"
 #include "calibration/laws/percent.h"
-#include "impact_laws/catalogue.h"
+#include "laws/impact/catalogue.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

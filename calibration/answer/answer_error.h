@@ -1,6 +1,6 @@
 /// A part of how far a number of an answer may be from the bearing it speaks of.
 #pragma once
-#include "files/choice.h"
+#include "io/files/choice.h"
 #include <optional>
 #include <string>
 #include <vector>

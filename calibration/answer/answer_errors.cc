@@ -2,7 +2,7 @@
 #include "calibration/answer/answer_errors.h"
 
 #include "calibration/answer/solid_errors.h"
-#include "impact_laws/catalogue.h"
+#include "laws/impact/catalogue.h"
 #include <algorithm>
 #include <cmath>
 

@@ -2,7 +2,7 @@
 #include "calibration/answer/calibration_json.h"
 #include "calibration/answer/said_once.h"
 #include "calibration/laws/percent.h"
-#include "impact_laws/catalogue.h"
+#include "laws/impact/catalogue.h"
 #include <algorithm>
 #include <fmt/format.h>
 

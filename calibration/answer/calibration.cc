@@ -1,8 +1,8 @@
 #include "calibration/answer/answer.h"
 #include "calibration/answer/calibration_check.h"
 #include "calibration/data/measured_name.h"
-#include "files/error.h"
-#include "impact_laws/catalogue.h"
+#include "io/files/error.h"
+#include "laws/impact/catalogue.h"
 #include <algorithm>
 #include <fmt/format.h>
 #include <set>

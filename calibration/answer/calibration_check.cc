@@ -1,7 +1,7 @@
 #include "calibration/answer/calibration_check.h"
 #include "calibration/answer/answer.h"
 #include "calibration/fit/shooting.h"
-#include "files/error.h"
+#include "io/files/error.h"
 #include "scene/doubts.h"
 #include "scene/element_doubts.h"
 #include <algorithm>

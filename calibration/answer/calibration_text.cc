@@ -3,7 +3,7 @@
 #include "calibration/answer/answer.h"
 #include "calibration/fit/parameter.h"
 #include "calibration/laws/percent.h"
-#include "impact_laws/catalogue.h"
+#include "laws/impact/catalogue.h"
 #include <algorithm>
 #include <fmt/format.h>
 

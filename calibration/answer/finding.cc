@@ -1,6 +1,6 @@
 #include "calibration/answer/finding.h"
 #include "calibration/answer/kept_errors.h"
-#include "files/text.h"
+#include "io/files/text.h"
 #include <algorithm>
 #include <cmath>
 #include <filesystem>

@@ -21,7 +21,7 @@ struct KeptError {
 std::vector<KeptError> rung_errors(const std::vector<StoredStudy> &studies, const std::string &rung,
                                    const std::string &rim);
 
-/// Longest step inside an impact where the scene names none (planning/plan.h) [s].
+/// Longest step inside an impact where the scene names none (fe_contact/planning/plan.h) [s].
 inline constexpr double planned_step = 1e-3;
 /// The scene's step against the shortest of a study of the same rim, rung and mesh.
 std::vector<KeptError> step_errors(const std::vector<StoredStudy> &studies, const scene::Scene &scene,

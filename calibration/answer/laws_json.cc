@@ -1,5 +1,5 @@
 #include "calibration/answer/laws_json.h"
-#include "impact_laws/catalogue.h"
+#include "laws/impact/catalogue.h"
 #include <cmath>
 
 namespace rimpact::calibration {

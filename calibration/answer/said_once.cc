@@ -1,6 +1,6 @@
 #include "calibration/answer/said_once.h"
-#include "files/data_folder.h"
-#include "files/error.h"
+#include "io/files/data_folder.h"
+#include "io/files/error.h"
 #include <algorithm>
 #include <cmath>
 #include <filesystem>

@@ -1,8 +1,8 @@
 #include "calibration/data/channels.h"
 #include "calibration/data/measured_table.h"
-#include "files/error.h"
-#include "files/file.h"
-#include "files/text.h"
+#include "io/files/error.h"
+#include "io/files/file.h"
+#include "io/files/text.h"
 #include "responses/response_csv.h"
 #include <algorithm>
 #include <filesystem>

@@ -1,7 +1,7 @@
 #include "calibration/data/consistency.h"
 
 #include "calibration/data/force_factor.h"
-#include "files/error.h"
+#include "io/files/error.h"
 #include "responses/response_csv.h"
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "calibration/data/flight_fit.h"
 #include "calibration/data/series.h"
-#include "files/error.h"
+#include "io/files/error.h"
 #include <cmath>
 #include <Eigen/Dense>
 

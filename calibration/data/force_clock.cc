@@ -1,7 +1,7 @@
 #include "calibration/data/force_clock.h"
 #include "calibration/data/channel_lag.h"
 #include "calibration/data/channels.h"
-#include "files/error.h"
+#include "io/files/error.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

@@ -4,7 +4,7 @@
 #include "calibration/data/measured_run.h"
 #include "calibration/data/series.h"
 #include "calibration/data/window_cutter.h"
-#include "files/error.h"
+#include "io/files/error.h"
 #include "reduced_models/pad_on_dish.h"
 #include "responses/kept_run.h"
 #include <algorithm>

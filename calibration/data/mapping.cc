@@ -1,7 +1,7 @@
 #include "calibration/data/mapping.h"
-#include "files/file.h"
-#include "files/text.h"
-#include "files/toml_reader.h"
+#include "io/files/file.h"
+#include "io/files/text.h"
+#include "io/files/toml_reader.h"
 #include "scene/file_kind.h"
 #include <algorithm>
 #include <filesystem>

@@ -1,7 +1,7 @@
 /// The mapping file of measured curves: its keys are in docs/reference/keys.md.
 #pragma once
 #include "calibration/data/impact_window.h"
-#include "files/key_visitor.h"
+#include "io/files/key_visitor.h"
 
 namespace rimpact::calibration {
 

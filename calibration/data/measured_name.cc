@@ -1,7 +1,7 @@
 #include "calibration/data/measured_name.h"
 #include "calibration/data/channels.h"
-#include "files/error.h"
-#include "files/text.h"
+#include "io/files/error.h"
+#include "io/files/text.h"
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>

@@ -3,7 +3,7 @@
 #include "calibration/data/consistency.h"
 #include "calibration/data/force_clock.h"
 #include "calibration/data/measured_name.h"
-#include "files/error.h"
+#include "io/files/error.h"
 #include <algorithm>
 #include <cmath>
 #include <filesystem>

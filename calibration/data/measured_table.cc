@@ -1,8 +1,8 @@
 #include "calibration/data/measured_table.h"
-#include "files/binary_kind.h"
-#include "files/character_set.h"
-#include "files/error.h"
-#include "files/text.h"
+#include "io/files/binary_kind.h"
+#include "io/files/character_set.h"
+#include "io/files/error.h"
+#include "io/files/text.h"
 #include "responses/response_csv.h"
 #include <algorithm>
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 /// columns and below the rows. Units may have a row of their own, decimals a comma, letters another character set, and
 /// several tables may lie under one another.
 #pragma once
-#include "files/loose_cells.h"
+#include "io/files/loose_cells.h"
 #include <optional>
 #include <string>
 #include <vector>

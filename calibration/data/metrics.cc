@@ -1,6 +1,6 @@
 #include "calibration/data/metrics.h"
 #include "calibration/data/series.h"
-#include "files/error.h"
+#include "io/files/error.h"
 #include "responses/open_impact.h"
 #include <algorithm>
 #include <cmath>

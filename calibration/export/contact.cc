@@ -1,5 +1,5 @@
 #include "calibration/export/contact.h"
-#include "files/error.h"
+#include "io/files/error.h"
 #include <numbers>
 
 namespace rimpact::calibration {

@@ -1,7 +1,7 @@
 /// One isolated impact against a contact that remembers: what a mass does on the exported spring as the target program
 /// integrates it, and on the law itself. An integrator of its own, apart from the reduced models'.
 #pragma once
-#include "impact_laws/catalogue.h"
+#include "laws/impact/catalogue.h"
 #include <algorithm>
 #include <cmath>
 #include <functional>

@@ -2,7 +2,7 @@
 #include "calibration/export/comment.h"
 #include "calibration/export/dish_text.h"
 #include "calibration/export/self_check_text.h"
-#include "files/error.h"
+#include "io/files/error.h"
 #include <fmt/format.h>
 #include <string_view>
 

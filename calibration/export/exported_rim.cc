@@ -2,7 +2,7 @@
 #include "calibration/answer/answer.h"
 #include "calibration/export/statement.h"
 #include "calibration/fit/parameter.h"
-#include "files/error.h"
+#include "io/files/error.h"
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -2,7 +2,7 @@
 /// sentences that go with them. A number that is not a number, or out of its range, is refused (DataError) with its
 /// key.
 #pragma once
-#include "impact_laws/catalogue.h"
+#include "laws/impact/catalogue.h"
 #include "scene/scene.h"
 #include <nlohmann/json.hpp>
 #include <optional>

@@ -1,7 +1,7 @@
 #include "calibration/export/opensees_rim.h"
 
 #include "calibration/export/flown_there.h"
-#include "files/error.h"
+#include "io/files/error.h"
 #include <fmt/format.h>
 
 namespace rimpact::calibration {

@@ -1,6 +1,6 @@
 #include "calibration/fit/first_guess.h"
 #include "calibration/fit/path_fit.h"
-#include "impact_laws/catalogue.h"
+#include "laws/impact/catalogue.h"
 #include <algorithm>
 #include <cmath>
 

@@ -1,7 +1,7 @@
 #include "calibration/fit/fit.h"
 #include "calibration/fit/judgement.h"
 #include "calibration/fit/search.h"
-#include "files/error.h"
+#include "io/files/error.h"
 #include <algorithm>
 #include <fmt/format.h>
 #include <limits>

@@ -1,6 +1,6 @@
 #include "calibration/fit/fit_options.h"
-#include "files/error.h"
-#include "impact_laws/catalogue.h"
+#include "io/files/error.h"
+#include "laws/impact/catalogue.h"
 #include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -2,7 +2,7 @@
 #include "calibration/data/measured_name.h"
 #include "calibration/data/measured_run.h"
 #include "calibration/fit/shooting.h"
-#include "files/file.h"
+#include "io/files/file.h"
 #include "scene/toml_writer.h"
 #include <algorithm>
 #include <charconv>

@@ -1,6 +1,6 @@
 #include "calibration/fit/parameter.h"
-#include "files/error.h"
-#include "files/text.h"
+#include "io/files/error.h"
+#include "io/files/text.h"
 
 namespace rimpact::calibration {
 

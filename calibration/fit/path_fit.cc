@@ -1,6 +1,6 @@
 #include "calibration/fit/path_fit.h"
-#include "files/error.h"
-#include "impact_laws/catalogue.h"
+#include "io/files/error.h"
+#include "laws/impact/catalogue.h"
 #include <algorithm>
 #include <ceres/ceres.h>
 #include <cmath>

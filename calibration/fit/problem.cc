@@ -1,8 +1,8 @@
 #include "calibration/fit/problem.h"
 #include "calibration/fit/first_guess.h"
 #include "calibration/fit/halton.h"
-#include "files/error.h"
-#include "impact_laws/catalogue.h"
+#include "io/files/error.h"
+#include "laws/impact/catalogue.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

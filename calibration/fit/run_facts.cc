@@ -1,6 +1,6 @@
 #include "calibration/fit/run_facts.h"
 #include "calibration/data/measured_name.h"
-#include "files/error.h"
+#include "io/files/error.h"
 #include "responses/kept_run.h"
 #include <cmath>
 #include <filesystem>

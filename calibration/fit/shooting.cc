@@ -1,7 +1,7 @@
 #include "calibration/fit/shooting.h"
 #include "calibration/data/pulse.h"
 #include "calibration/data/series.h"
-#include "impact_laws/catalogue.h"
+#include "laws/impact/catalogue.h"
 #include "reduced_models/simulate.h"
 #include "responses/open_impact.h"
 #include <algorithm>

@@ -3,8 +3,8 @@
 #include "calibration/laws/law_errors.h"
 #include "calibration/laws/law_words.h"
 #include "calibration/laws/percent.h"
-#include "files/error.h"
-#include "impact_laws/catalogue.h"
+#include "io/files/error.h"
+#include "laws/impact/catalogue.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #include "calibration/laws/law_words.h"
 #include "calibration/fit/parameter.h"
-#include "impact_laws/catalogue.h"
+#include "laws/impact/catalogue.h"
 #include <fmt/format.h>
 
 namespace rimpact::calibration {

@@ -1,6 +1,6 @@
 #include "calibration/laws/no_tension_pair.h"
 #include "calibration/laws/windows_table.h"
-#include "impact_laws/catalogue.h"
+#include "laws/impact/catalogue.h"
 #include <cmath>
 #include <numbers>
 

@@ -2,7 +2,7 @@
 #include "calibration/fit/parallel.h"
 #include "calibration/laws/law_errors.h"
 #include "calibration/laws/percent.h"
-#include "impact_laws/catalogue.h"
+#include "laws/impact/catalogue.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

@@ -2,8 +2,8 @@
 #include "calibration/fit/shooting.h"
 #include "calibration/laws/law_words.h"
 #include "calibration/laws/percent.h"
-#include "files/error.h"
-#include "impact_laws/catalogue.h"
+#include "io/files/error.h"
+#include "laws/impact/catalogue.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

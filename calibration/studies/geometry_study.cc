@@ -1,7 +1,7 @@
 #include "calibration/studies/geometry_study.h"
 #include "calibration/fit/halton.h"
-#include "files/error.h"
-#include "files/text.h"
+#include "io/files/error.h"
+#include "io/files/text.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #include "calibration/studies/speed_error.h"
 
-#include "files/error.h"
-#include "files/text.h"
+#include "io/files/error.h"
+#include "io/files/text.h"
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,5 +1,5 @@
 #include "calibration/studies/stored_study.h"
-#include "files/data_folder.h"
+#include "io/files/data_folder.h"
 #include "scene/rim_identity.h"
 #include <algorithm>
 #include <cmath>

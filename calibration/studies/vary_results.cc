@@ -1,6 +1,6 @@
 #include "calibration/studies/vary_results.h"
 
-#include "files/json_text.h"
+#include "io/files/json_text.h"
 #include <cmath>
 #include <fmt/format.h>
 

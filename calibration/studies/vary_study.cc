@@ -1,7 +1,7 @@
 #include "calibration/studies/vary_study.h"
 
 #include "calibration/data/series.h"
-#include "files/error.h"
+#include "io/files/error.h"
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,5 +1,5 @@
 #include "calibration/studies/wanted_pair.h"
-#include "files/error.h"
+#include "io/files/error.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

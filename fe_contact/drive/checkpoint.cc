@@ -1,9 +1,9 @@
 #include "fe_contact/drive/checkpoint.h"
 
-#include "files/digest.h"
-#include "files/error.h"
-#include "files/file.h"
-#include "files/hdf5_memory.h"
+#include "io/files/digest.h"
+#include "io/files/error.h"
+#include "io/files/file.h"
+#include "io/files/hdf5_memory.h"
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>

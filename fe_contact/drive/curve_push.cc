@@ -4,11 +4,11 @@
 #include "fe_contact/drive/order.h"
 #include "fe_contact/drive/path_course.h"
 #include "fe_contact/drive/run_record.h"
+#include "fe_contact/planning/plan_parts.h"
 #include "fe_contact/rungs/rim.h"
 #include "fe_contact/solver/march.h"
 #include "fe_contact/solver/ranks.h"
-#include "files/error.h"
-#include "planning/plan_parts.h"
+#include "io/files/error.h"
 #include "responses/build_version.h"
 #include "scene/rim_identity.h"
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "fe_contact/drive/drive.h"
 
 #include "fe_contact/drive/record_checkpoint.h"
-#include "files/error.h"
+#include "io/files/error.h"
 
 namespace rimpact::fe {
 

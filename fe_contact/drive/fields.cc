@@ -2,8 +2,8 @@
 #include "fe_contact/drive/fields.h"
 
 #include "fe_contact/engine/solid_fields.h"
-#include "files/error.h"
-#include "files/file.h"
+#include "io/files/error.h"
+#include "io/files/file.h"
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>

@@ -4,7 +4,7 @@
 #include "fe_contact/drive/step_control.h"
 #include "fe_contact/engine/solid_fields.h"
 
-#include "files/error.h"
+#include "io/files/error.h"
 #include "responses/open_impact.h"
 #include <algorithm>
 #include <cmath>

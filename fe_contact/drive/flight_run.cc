@@ -7,7 +7,7 @@
 #include "fe_contact/drive/state_fields.h"
 #include "fe_contact/engine/solid_fields.h"
 
-#include "files/error.h"
+#include "io/files/error.h"
 #include <algorithm>
 #include <cmath>
 

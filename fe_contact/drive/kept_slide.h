@@ -3,7 +3,7 @@
 /// the run's, and taken from there only where everything that shapes it is the same, the program included.
 #pragma once
 #include "fe_contact/drive/top_drive.h"
-#include "planning/plan.h"
+#include "fe_contact/planning/plan.h"
 
 namespace rimpact::fe {
 

@@ -1,8 +1,8 @@
 #include "fe_contact/drive/memory_limit.h"
 
 #include "fe_contact/solver/sgemm.h"
-#include "files/address_space.h"
-#include "files/error.h"
+#include "io/files/address_space.h"
+#include "io/files/error.h"
 #include <fmt/format.h>
 #include <vector>
 

@@ -1,8 +1,8 @@
 /// What a scene and its plan ask of a rung: its mesh, its model, the tolerances of its steps.
 #pragma once
+#include "fe_contact/planning/plan.h"
 #include "fe_contact/rungs/bearing_model.h"
 #include "fe_contact/rungs/catalogue.h"
-#include "planning/plan.h"
 #include "scene/scene.h"
 
 namespace rimpact::fe {

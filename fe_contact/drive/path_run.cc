@@ -9,7 +9,7 @@
 #include "fe_contact/drive/path_work.h"
 #include "fe_contact/drive/record_checkpoint.h"
 #include "fe_contact/drive/state_fields.h"
-#include "files/error.h"
+#include "io/files/error.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

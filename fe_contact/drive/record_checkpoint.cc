@@ -4,8 +4,8 @@
 #include "fe_contact/drive/solver_counts.h"
 #include "fe_contact/drive/state_fields.h"
 #include "fe_contact/solver/ranks.h"
-#include "files/error.h"
-#include "files/json_text.h"
+#include "io/files/error.h"
+#include "io/files/json_text.h"
 #include "responses/identity.h"
 #include <algorithm>
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 /// Runs a scene by finite elements. No deal.II in this header.
 #pragma once
+#include "fe_contact/planning/plan.h"
 #include "meshes/hex_mesh.h"
-#include "planning/plan.h"
 #include "responses/summary.h"
 #include <atomic>
 #include <functional>

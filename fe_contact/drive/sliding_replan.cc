@@ -3,7 +3,7 @@
 
 #include "fe_contact/drive/top_drive.h"
 #include "fe_contact/engine/mesh_transfer.h"
-#include "files/error.h"
+#include "io/files/error.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

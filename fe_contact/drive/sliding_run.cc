@@ -6,7 +6,7 @@
 #include "fe_contact/drive/record_checkpoint.h"
 #include "fe_contact/drive/start_on_dish.h"
 #include "fe_contact/drive/state_fields.h"
-#include "files/error.h"
+#include "io/files/error.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

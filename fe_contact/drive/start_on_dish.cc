@@ -2,7 +2,7 @@
 
 #include "fe_contact/drive/kept_slide.h"
 #include "fe_contact/solver/march.h"
-#include "files/error.h"
+#include "io/files/error.h"
 #include "reduced_models/physical_model.h"
 #include <cmath>
 

@@ -2,7 +2,7 @@
 /// of a type once, and the writer and the reader are visitors. A field is an array of numbers or a text, by its name.
 #pragma once
 #include "fe_contact/drive/checkpoint.h"
-#include "files/choice.h"
+#include "io/files/choice.h"
 #include <concepts>
 #include <Eigen/Core>
 #include <functional>

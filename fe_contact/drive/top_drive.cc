@@ -1,6 +1,6 @@
 #include "fe_contact/drive/top_drive.h"
 
-#include "files/error.h"
+#include "io/files/error.h"
 
 namespace rimpact::fe {
 

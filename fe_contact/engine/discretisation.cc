@@ -1,7 +1,7 @@
 #include "fe_contact/engine/discretisation.h"
 
 #include "fe_contact/engine/curved_mesh.h"
-#include "files/error.h"
+#include "io/files/error.h"
 #include <algorithm>
 #include <cmath>
 #include <deal.II/base/quadrature_lib.h>

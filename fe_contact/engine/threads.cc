@@ -1,7 +1,7 @@
 #include "fe_contact/engine/threads.h"
 
 #include "fe_contact/solver/ranks.h"
-#include "files/text.h"
+#include "io/files/text.h"
 #include <algorithm>
 #include <cstdlib>
 

@@ -8,14 +8,14 @@
 /// where the point sticks. Frictionless is mu = 0. Written over the scalar type, so that the consistent,
 /// unsymmetric tangent follows by automatic differentiation. SI units.
 #pragma once
-#include "friction_laws/factors.h"
+#include "laws/friction/factors.h"
 #include <cmath>
 #include <Eigen/Core>
 #include <optional>
 
 namespace rimpact::fe {
 
-/// mu(v, p) = (fast - (fast - slow) exp(-rate v)) k_p(p) (thesis eq. 2-18; friction_laws/factors.h), p the pressure at
+/// mu(v, p) = (fast - (fast - slow) exp(-rate v)) k_p(p) (thesis eq. 2-18; laws/friction/factors.h), p the pressure at
 /// the point; fast = slow and no reference pressure: Coulomb.
 struct FrictionCoefficient {
   double fast = 0, slow = 0;                     ///< [-], >= 0

@@ -3,7 +3,7 @@
 #include "fe_contact/rungs/full.h"
 #include "fe_contact/rungs/rigid_dish.h"
 #include "fe_contact/rungs/rim.h"
-#include "files/error.h"
+#include "io/files/error.h"
 
 namespace rimpact::fe {
 namespace {

@@ -4,7 +4,7 @@
 #pragma once
 #include "fe_contact/engine/remote_load.h"
 #include "fe_contact/rungs/rim_frame.h"
-#include "files/choice.h"
+#include "io/files/choice.h"
 #include "reduced_models/physical_model.h"
 
 namespace rimpact::fe {

@@ -11,7 +11,7 @@
 ///   largest_step()           [s]
 ///   give_up(t, y)            throws SolverStopped: the steps have become too small there
 #pragma once
-#include "files/error.h"
+#include "io/files/error.h"
 #include "reduced_models/motion/dormand_prince.h"
 #include <algorithm>
 #include <cmath>

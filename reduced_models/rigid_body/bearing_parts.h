@@ -1,7 +1,7 @@
 /// What a bearing of rigid bodies is made of, from the ground up: sliders, and joints below each and below the top
 /// plate. A new bearing is one more list of them. SI units.
 #pragma once
-#include "friction_laws/friction_law.h"
+#include "laws/friction/friction_law.h"
 #include "reduced_models/rigid_body/contact.h"
 #include "scene/scene.h"
 #include <vector>

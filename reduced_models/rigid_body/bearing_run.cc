@@ -1,5 +1,5 @@
 #include "reduced_models/rigid_body/bearing_run.h"
-#include "files/error.h"
+#include "io/files/error.h"
 #include "reduced_models/rigid_body/bearing_recorder.h"
 #include "reduced_models/simulate.h"
 #include <algorithm>

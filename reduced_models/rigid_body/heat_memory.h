@@ -1,7 +1,7 @@
 /// The heat of sliding on the dishes of a bearing of several bodies, where friction goes by it. A step goes by the
 /// temperatures that the one before it has left.
 #pragma once
-#include "friction_laws/sliding_heat.h"
+#include "laws/friction/sliding_heat.h"
 #include "reduced_models/rigid_body/bearing_parts.h"
 #include "reduced_models/rigid_body/stepper.h"
 #include "scene/scene.h"

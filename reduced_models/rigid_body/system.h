@@ -4,8 +4,8 @@
 ///   dish, interface:  -N m - mu(|v_t|) N z,   N = max(0, k d + c d'),   m the normal into the master;
 ///   rim, stop:        -F m, frictionless, F by the impact law.
 #pragma once
-#include "friction_laws/friction_law.h"
-#include "impact_laws/catalogue.h"
+#include "laws/friction/friction_law.h"
+#include "laws/impact/catalogue.h"
 #include "reduced_models/rigid_body/contact.h"
 #include "reduced_models/rigid_body/slip.h"
 #include "reduced_models/superstructure.h"

@@ -1,5 +1,5 @@
 #include "reduced_models/rigid_body/triple_faces.h"
-#include "files/json_text.h"
+#include "io/files/json_text.h"
 #include <algorithm>
 
 namespace rimpact::reduced::rigid {

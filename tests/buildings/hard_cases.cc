@@ -2,7 +2,7 @@
 // the same run at a hundredth of the tolerance. Exit code 1 where a row fails its gate or TABLE says otherwise.
 #include "buildings/regular_building.h"
 #include "buildings/simulate.h"
-#include "files/file.h"
+#include "io/files/file.h"
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

@@ -1,5 +1,5 @@
 #include "plain_cvode.h"
-#include "impact_laws/catalogue.h"
+#include "laws/impact/catalogue.h"
 #include "reduced_models/sundials.h"
 #include <cmath>
 #include <Eigen/LU>

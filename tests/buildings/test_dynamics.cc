@@ -2,7 +2,7 @@
 #include "buildings/bearing_doubts.h"
 #include "buildings/regular_building.h"
 #include "buildings/simulate.h"
-#include "files/error.h"
+#include "io/files/error.h"
 #include "scene/bearing_catalogue.h"
 #include <cmath>
 #include <gtest/gtest.h>

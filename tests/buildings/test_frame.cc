@@ -5,7 +5,7 @@
 #include "buildings/frame_source.h"
 #include "buildings/modes.h"
 #include "buildings/regular_building.h"
-#include "files/error.h"
+#include "io/files/error.h"
 #include <Eigen/Eigenvalues>
 #include <filesystem>
 #include <fmt/format.h>

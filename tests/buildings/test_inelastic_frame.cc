@@ -8,7 +8,7 @@
 #include "buildings/plane_frame.h"
 #include "buildings/simulate.h"
 #include "by_implicit_steps.h"
-#include "files/error.h"
+#include "io/files/error.h"
 #include <algorithm>
 #include <cmath>
 #include <Eigen/Eigenvalues>

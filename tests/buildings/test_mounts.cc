@@ -2,7 +2,7 @@
 #include "buildings/regular_building.h"
 #include "buildings/simulate.h"
 #include "by_implicit_steps.h"
-#include "files/error.h"
+#include "io/files/error.h"
 #include <cmath>
 #include <gtest/gtest.h>
 

@@ -4,9 +4,9 @@
 #include "buildings/frame_tables.h"
 #include "buildings/modes.h"
 #include "buildings/regular_building.h"
-#include "files/error.h"
-#include "files/file.h"
-#include "files/text.h"
+#include "io/files/error.h"
+#include "io/files/file.h"
+#include "io/files/text.h"
 #include <algorithm>
 #include <filesystem>
 #include <gtest/gtest.h>

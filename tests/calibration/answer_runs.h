@@ -2,7 +2,7 @@
 #pragma once
 #include "calibration/answer/answer.h"
 #include "calibration/answer/calibration_json.h"
-#include "impact_laws/catalogue.h"
+#include "laws/impact/catalogue.h"
 #include "scene/toml_writer.h"
 #include "synthetic.h"
 #include <fstream>

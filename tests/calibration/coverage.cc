@@ -8,8 +8,8 @@
 // Without --all a few cells, with a margin for few seeds. --table keeps finished cells, so that an interrupted run goes
 // on.
 #include "calibration/fit/fit.h"
-#include "files/error.h"
-#include "impact_laws/catalogue.h"
+#include "io/files/error.h"
+#include "laws/impact/catalogue.h"
 #include "measured_synthetic.h"
 #include <chrono>
 #include <cstdio>

@@ -3,7 +3,7 @@
 #include "calibration/answer/answer_json.h"
 #include "calibration/answer/answer_text.h"
 #include "calibration/answer/said_once.h"
-#include "files/error.h"
+#include "io/files/error.h"
 #include "scene/bearing_catalogue.h"
 #include <algorithm>
 #include <fstream>

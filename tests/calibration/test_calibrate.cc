@@ -1,6 +1,6 @@
 #include "calibration/answer/calibration_json.h"
 #include "calibration/answer/calibration_text.h"
-#include "files/error.h"
+#include "io/files/error.h"
 #include "reduced_models/simulate.h"
 #include "responses/run_folder.h"
 #include "synthetic.h"

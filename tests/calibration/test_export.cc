@@ -2,7 +2,7 @@
 #include "calibration/export/csi.h"
 #include "calibration/export/gap_springs.h"
 #include "calibration/export/law_csv.h"
-#include "files/error.h"
+#include "io/files/error.h"
 #include <gtest/gtest.h>
 #include <set>
 #include <sstream>

@@ -1,6 +1,6 @@
 #include "calibration/fit/fit.h"
 #include "calibration/fit/shooting.h"
-#include "files/error.h"
+#include "io/files/error.h"
 #include "synthetic.h"
 #include <chrono>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "calibration/studies/geometry_results.h"
 #include "calibration/studies/wanted_pair.h"
-#include "files/error.h"
+#include "io/files/error.h"
 #include "synthetic.h"
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 #include "calibration/fit/shooting.h"
-#include "files/error.h"
+#include "io/files/error.h"
 #include "reduced_models/simulate.h"
 #include "synthetic.h"
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #include "calibration/fit/profile.h"
 #include "calibration/laws/law_ranking.h"
 #include "calibration/laws/speed_law.h"
-#include "files/error.h"
+#include "io/files/error.h"
 #include "synthetic.h"
 #include <algorithm>
 #include <gtest/gtest.h>

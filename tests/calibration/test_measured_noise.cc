@@ -4,7 +4,7 @@
 #include "calibration/data/measured_record.h"
 #include "calibration/data/metrics.h"
 #include "calibration/fit/shooting.h"
-#include "files/error.h"
+#include "io/files/error.h"
 #include "measured_synthetic.h"
 #include "reduced_models/simulate.h"
 #include <algorithm>

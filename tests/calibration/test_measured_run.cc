@@ -1,7 +1,7 @@
 #include "calibration/answer/calibration.h"
 #include "calibration/data/force_factor.h"
 #include "calibration/data/measured_run.h"
-#include "files/error.h"
+#include "io/files/error.h"
 #include "reduced_models/simulate.h"
 #include "scene/toml_writer.h"
 #include "synthetic.h"

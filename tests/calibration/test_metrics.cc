@@ -1,5 +1,5 @@
 #include "calibration/data/metrics.h"
-#include "files/error.h"
+#include "io/files/error.h"
 #include <cmath>
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // The pair of the law no-tension that meets a peak force and a rebound.
 #include "calibration/laws/no_tension_pair.h"
-#include "impact_laws/catalogue.h"
+#include "laws/impact/catalogue.h"
 #include "reduced_models/simulate.h"
 #include "synthetic.h"
 #include <gtest/gtest.h>

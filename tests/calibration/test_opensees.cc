@@ -1,7 +1,7 @@
 #include "answer_fixture.h"
 #include "calibration/export/comment.h"
 #include "calibration/export/opensees.h"
-#include "files/error.h"
+#include "io/files/error.h"
 #include <algorithm>
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Speed against error on made-up runs whose forces converge with a known order.
 #include "calibration/studies/speed_error.h"
 #include "calibration/studies/speed_error_text.h"
-#include "files/error.h"
+#include "io/files/error.h"
 #include <cmath>
 #include <gtest/gtest.h>
 

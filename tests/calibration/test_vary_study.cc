@@ -1,6 +1,6 @@
 #include "calibration/studies/vary_answer.h"
 #include "calibration/studies/vary_results.h"
-#include "files/error.h"
+#include "io/files/error.h"
 #include <cmath>
 #include <fstream>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 #include "calibration/laws/windows_table.h"
-#include "impact_laws/catalogue.h"
+#include "laws/impact/catalogue.h"
 #include "synthetic.h"
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-"""cluster/*.sbatch on a SLURM of one node: an array of shards, one of them killed and submitted again, gathered."""
+"""studies/cluster/*.sbatch on a SLURM of one node: an array of shards, one of them killed and submitted again, gathered."""
 import csv
 import json
 import math
@@ -71,7 +71,7 @@ class Slurm(unittest.TestCase):
 
     def job(self, script, *options, **environment):
         return self.slurm.submit("--mem=500M", "--chdir", self.folder, "--output", self.path("job-%A-%a.txt"), *options,
-                                 os.path.join(SOURCE, "cluster", script), "study.toml", "out", **environment)
+                                 os.path.join(SOURCE, "studies", "cluster", script), "study.toml", "out", **environment)
 
     def test_a_killed_shard_goes_on_and_all_are_gathered(self):
         self.job("reliability.sbatch", "--array=1,3", RIMPACT=RIMPACT, RIMPACT_SHARDS="3")

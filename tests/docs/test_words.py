@@ -40,10 +40,10 @@ class Words(unittest.TestCase):
     def test_every_key_of_the_sources_is_listed(self):
         text = ""
         for name in ("scene/bearing_keys", "scene/scene_keys", "scene/isolator_keys", "scene/measured_friction", "scene/bounds", "scene/superstructure",
-                     "impact_laws/kelvin_voigt", "impact_laws/hunt_crossley", "impact_laws/elastoplastic", "impact_laws/pushed_curve"):
+                     "laws/impact/kelvin_voigt", "laws/impact/hunt_crossley", "laws/impact/elastoplastic", "laws/impact/pushed_curve"):
             with open(os.path.join(SOURCE, name + ".cc"), encoding="utf-8") as file:
                 text += file.read()
-        names = set(re.findall(r'v\.\w+\(\{"(\w+)"', text))
+        names = set(re.findall(r'v\.\w+\(\s*\{(?:\.name = )?"(\w+)"', text))
         listed = {key["key"].split(".")[-1] for key in json.loads(rimpact("list", "keys", "--json").stdout)["keys"]}
         self.assertGreater(len(names), 90)
         self.assertEqual(names - listed, set())
@@ -68,13 +68,13 @@ class Words(unittest.TestCase):
         self.assertEqual(keys["reduced.k_i_kN_per_m"]["unit"], "kN/m")
 
     def test_every_part_of_a_sweep_file_is_listed(self):
-        text = "".join(file.read_text(encoding="utf-8") for file in pathlib.Path(SOURCE, "fleets").glob("*_reader.cc"))
+        text = "".join(file.read_text(encoding="utf-8") for file in pathlib.Path(SOURCE, "studies", "fleets").glob("*_reader.cc"))
         known = [name for names in re.findall(r"only\(\*table, \{([^}]*)\}", text) for name in re.findall(r'"(\w+)"', names)]
         self.assertGreater(len(known), 8)
         self.assertEqual(set(known) - self.parts_of("sweep_keys"), set())
 
     def test_every_part_of_a_study_is_listed(self):
-        files = [file.read_text(encoding="utf-8") for file in pathlib.Path(SOURCE, "risk").glob("*_reader.cc")]
+        files = [file.read_text(encoding="utf-8") for file in pathlib.Path(SOURCE, "studies", "risk").glob("*_reader.cc")]
         known = {name for text in files for name in re.findall(r'\w+\.(?:text|numbers?|integer|choice)\(\{"(\w+)"', text)}
         for text in files:
             known.update(name for names in re.findall(r"only\([^{]*\{([^}]*)\}", text) for name in re.findall(r'"(\w+)"', names))

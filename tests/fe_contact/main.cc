@@ -1,7 +1,7 @@
 // GoogleTest's main with PETSc started, which the direct solver needs, and without what this machine remembers of its
 // runs.
 #include "fe_contact/drive/mpi_start.h"
-#include "files/library_threads.h"
+#include "io/files/library_threads.h"
 #include <cstdlib>
 #include <gtest/gtest.h>
 #include <petscsys.h>

@@ -1,9 +1,9 @@
 // Rung rigid-dish's plans, and the hand-over of a state when the rim joins and leaves.
 #include "fe_contact/drive/rim_hand_over.h"
 #include "fe_contact/engine/master_faces.h"
+#include "fe_contact/planning/plan.h"
+#include "fe_contact/planning/refusal.h"
 #include "fe_contact/rungs/rigid_dish.h"
-#include "planning/plan.h"
-#include "planning/refusal.h"
 #include <algorithm>
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

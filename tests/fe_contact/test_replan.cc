@@ -1,6 +1,6 @@
 // A run that comes to the rim where none is meshed goes on from there on a mesh that has it.
 #include "fe_contact/drive/run.h"
-#include "planning/plan.h"
+#include "fe_contact/planning/plan.h"
 #include <gtest/gtest.h>
 
 namespace rimpact::fe {

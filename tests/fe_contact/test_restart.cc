@@ -2,8 +2,8 @@
 #include "blocks.h"
 #include "fe_contact/drive/record_checkpoint.h"
 #include "fe_contact/drive/state_fields.h"
-#include "files/error.h"
-#include "files/file.h"
+#include "io/files/error.h"
+#include "io/files/file.h"
 #include "responses/identity.h"
 
 #include <algorithm>

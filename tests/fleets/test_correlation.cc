@@ -1,6 +1,6 @@
-#include "files/error.h"
-#include "fleets/correlation.h"
-#include "fleets/sampling.h"
+#include "io/files/error.h"
+#include "studies/fleets/correlation.h"
+#include "studies/fleets/sampling.h"
 #include <algorithm>
 #include <boost/math/distributions/normal.hpp>
 #include <cmath>

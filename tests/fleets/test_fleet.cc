@@ -1,16 +1,16 @@
 // Fleets on a small sweep of a short scene.
 #include "../scene/expect_error.h"
 #include "../scene/temporary_folder.h"
-#include "files/file.h"
-#include "files/folder_lock.h"
-#include "files/table_csv.h"
-#include "fleets/fleet.h"
-#include "fleets/fleet_folder.h"
-#include "fleets/fleet_table.h"
+#include "io/files/file.h"
+#include "io/files/folder_lock.h"
+#include "io/files/table_csv.h"
 #include "reduced_models/physical_model.h"
 #include "reduced_models/simulate.h"
 #include "responses/identity.h"
 #include "responses/physics_version.h"
+#include "studies/fleets/fleet.h"
+#include "studies/fleets/fleet_folder.h"
+#include "studies/fleets/fleet_table.h"
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // Fractiles of a sweep apart for every combination of some keys.
-#include "fleets/fractiles.h"
+#include "studies/fleets/fractiles.h"
 #include <gtest/gtest.h>
 
 using namespace rimpact;

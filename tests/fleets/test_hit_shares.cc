@@ -1,8 +1,8 @@
 // Which share of a fleet's hits lies where the models are not known to hold.
 #include "../scene/temporary_folder.h"
-#include "files/table_csv.h"
-#include "fleets/fleet.h"
-#include "fleets/fractiles.h"
+#include "io/files/table_csv.h"
+#include "studies/fleets/fleet.h"
+#include "studies/fleets/fractiles.h"
 #include <cmath>
 #include <fstream>
 #include <gtest/gtest.h>

@@ -1,13 +1,13 @@
 // Incremental dynamic analysis: a folder of records, levels of intensity, fractiles.
 #include "../scene/expect_error.h"
 #include "../scene/temporary_folder.h"
-#include "files/table_csv.h"
-#include "fleets/fleet.h"
-#include "fleets/fractiles.h"
-#include "fleets/record_intensity.h"
-#include "records/record.h"
+#include "io/files/table_csv.h"
+#include "io/records/record.h"
 #include "reduced_models/physical_model.h"
 #include "reduced_models/simulate.h"
+#include "studies/fleets/fleet.h"
+#include "studies/fleets/fractiles.h"
+#include "studies/fleets/record_intensity.h"
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>

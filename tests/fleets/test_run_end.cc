@@ -1,6 +1,6 @@
-#include "fleets/run_end.h"
 #include "reduced_models/physical_model.h"
 #include "reduced_models/simulate.h"
+#include "studies/fleets/run_end.h"
 #include "tests/reduced_models/rigid_body/scenes.h"
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "fleets/sampling.h"
+#include "studies/fleets/sampling.h"
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "../scene/expect_error.h"
-#include "fleets/grid_arguments.h"
-#include "fleets/sweep.h"
+#include "studies/fleets/grid_arguments.h"
+#include "studies/fleets/sweep.h"
 #include <algorithm>
 #include <cmath>
 

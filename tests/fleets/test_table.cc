@@ -1,8 +1,8 @@
 #include "../scene/expect_error.h"
 #include "../scene/temporary_folder.h"
-#include "files/table.h"
-#include "files/table_csv.h"
-#include "files/table_hdf5.h"
+#include "io/files/table.h"
+#include "io/files/table_csv.h"
+#include "io/files/table_hdf5.h"
 #include <cmath>
 #include <filesystem>
 #include <limits>

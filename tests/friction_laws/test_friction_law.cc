@@ -1,7 +1,7 @@
 // Coefficients as pure values: against closed forms, and their derivatives against differences.
-#include "files/error.h"
-#include "friction_laws/factors.h"
-#include "friction_laws/friction_law.h"
+#include "io/files/error.h"
+#include "laws/friction/factors.h"
+#include "laws/friction/friction_law.h"
 #include <cmath>
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Measured friction: between rows, beyond them, and what is wrong with a file.
 #include "../scene/temporary_folder.h"
-#include "files/error.h"
-#include "friction_laws/friction_law.h"
+#include "io/files/error.h"
+#include "laws/friction/friction_law.h"
 #include <gtest/gtest.h>
 
 using namespace rimpact;

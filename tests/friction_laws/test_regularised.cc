@@ -1,5 +1,5 @@
 // Friction that is smooth at rest, with its tangent, and Park and Wen's state.
-#include "friction_laws/regularised.h"
+#include "laws/friction/regularised.h"
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The steel under a slider against Carslaw and Jaeger's closed form, and a pulse train against the convolution itself.
-#include "friction_laws/sliding_heat.h"
+#include "laws/friction/sliding_heat.h"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>

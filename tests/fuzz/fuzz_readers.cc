@@ -1,11 +1,11 @@
 // libFuzzer on the readers of data files: whatever the bytes, they are understood or refused by one of the toolkit's
 // own errors, and what is understood is finite. RIMPACT_READER names the reader. See fuzz.sh.
 #include "calibration/fit/run_facts.h"
-#include "files/error.h"
-#include "files/loose_csv.h"
+#include "io/files/error.h"
+#include "io/files/loose_csv.h"
+#include "io/records/record.h"
+#include "io/records/record_format.h"
 #include "meshes/mesh_kind.h"
-#include "records/record.h"
-#include "records/record_format.h"
 #include "responses/kept_run.h"
 #include "responses/response_csv.h"
 #include "responses/response_hdf5.h"

@@ -1,5 +1,5 @@
 // A mesh from foreign hands: what is data, what is a program, and what a program may not do.
-#include "files/error.h"
+#include "io/files/error.h"
 #include "meshes/mesh_kind.h"
 #include "meshes/mesh_process.h"
 #include "meshes/rim_mesh.h"

@@ -1,5 +1,5 @@
 // Meshes drawn elsewhere: read, checked against the bearing, put where a rung wants them.
-#include "files/error.h"
+#include "io/files/error.h"
 #include "meshes/exact_surfaces.h"
 #include "meshes/rim_mesh.h"
 #include "meshes/stack_mesh.h"

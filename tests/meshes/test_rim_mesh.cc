@@ -1,5 +1,5 @@
 // The rim mesh against closed forms: volumes, areas, nodes on exact surfaces, two bodies that touch but are not one.
-#include "files/error.h"
+#include "io/files/error.h"
 #include "meshes/hex_order.h"
 #include "meshes/rim_mesh.h"
 #include "meshes/section.h"

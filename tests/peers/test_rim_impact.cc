@@ -2,7 +2,7 @@
 #include "Channel.h"
 #include "elementAPI.h"
 #include "FEM_ObjectBroker.h"
-#include "impact_laws/catalogue.h"
+#include "laws/impact/catalogue.h"
 #include "OPS_Globals.h"
 #include "RimImpact.h"
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 /// Scenes the tests of the reduced models start from.
 #pragma once
-#include "impact_laws/rim_curve.h"
+#include "laws/impact/rim_curve.h"
 #include "reduced_models/physical_model.h"
 #include <cmath>
 #include <numbers>

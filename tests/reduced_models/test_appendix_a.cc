@@ -1,5 +1,5 @@
 // The thesis's appendix A: several amplitudes in one run, friction by the path's speed, and one dish for two.
-#include "files/file.h"
+#include "io/files/file.h"
 #include "reduced_models/physical_model.h"
 #include "reduced_models/simulate.h"
 #include <algorithm>

@@ -1,5 +1,5 @@
 // The own stepper against SUNDIALS CVODE: other integrator, other event location, same branches.
-#include "files/error.h"
+#include "io/files/error.h"
 #include "reduced_models/simulate.h"
 #include "scene/toml_writer.h"
 #include "scenes.h"

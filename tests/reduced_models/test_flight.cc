@@ -1,6 +1,6 @@
 // Flights without the rim element, and shots from a given state: what the finite elements and the calibration
 // use.
-#include "files/error.h"
+#include "io/files/error.h"
 #include "reduced_models/simulate.h"
 #include "scenes.h"
 #include <gtest/gtest.h>

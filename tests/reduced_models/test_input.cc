@@ -1,6 +1,6 @@
 // Catalogues, refusals, and inputs that must not matter.
-#include "files/error.h"
-#include "impact_laws/catalogue.h"
+#include "io/files/error.h"
+#include "laws/impact/catalogue.h"
 #include "reduced_models/catalogue.h"
 #include "reduced_models/simulate.h"
 #include "scenes.h"

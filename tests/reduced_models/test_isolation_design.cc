@@ -1,4 +1,4 @@
-#include "files/error.h"
+#include "io/files/error.h"
 #include "reduced_models/isolation_design.h"
 #include <cmath>
 #include <gtest/gtest.h>

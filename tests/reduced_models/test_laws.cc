@@ -1,6 +1,6 @@
 // Laws as pure values: forces against formulas, derivatives against differences.
-#include "files/error.h"
-#include "impact_laws/catalogue.h"
+#include "io/files/error.h"
+#include "laws/impact/catalogue.h"
 #include "reduced_models/rigid_body/rim_memory.h"
 #include "scenes.h"
 #include <Eigen/Geometry>

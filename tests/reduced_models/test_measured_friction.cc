@@ -1,6 +1,6 @@
 // Friction by pressure, temperature and table, in the models that slide by it.
 #include "../scene/temporary_folder.h"
-#include "files/error.h"
+#include "io/files/error.h"
 #include "reduced_models/simulate.h"
 #include "scene/toml_writer.h"
 #include "scenes.h"

@@ -1,5 +1,5 @@
 // The mass on the pad's spring (reduced.normal_force = "pad").
-#include "files/error.h"
+#include "io/files/error.h"
 #include "reduced_models/physical_model.h"
 #include "reduced_models/simulate.h"
 #include "scene/stack_terms.h"

@@ -1,8 +1,8 @@
 // The law `curve`: against closed forms and against the law whose curve it is given.
 #include "../scene/temporary_folder.h"
-#include "files/error.h"
-#include "files/file.h"
-#include "impact_laws/catalogue.h"
+#include "io/files/error.h"
+#include "io/files/file.h"
+#include "laws/impact/catalogue.h"
 #include "reduced_models/curve_limits.h"
 #include "reduced_models/rim_curve_file.h"
 #include "reduced_models/run_doubts.h"

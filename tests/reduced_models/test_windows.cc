@@ -1,6 +1,6 @@
 // One impact alone: the closed forms of a mass on a Kelvin-Voigt rim.
-#include "files/error.h"
-#include "impact_laws/catalogue.h"
+#include "io/files/error.h"
+#include "laws/impact/catalogue.h"
 #include "reduced_models/simulate.h"
 #include "scenes.h"
 #include <algorithm>

@@ -1,5 +1,5 @@
 // Laws of a rim that yields, in whole impacts: against energy balances, not against the stepper.
-#include "impact_laws/catalogue.h"
+#include "laws/impact/catalogue.h"
 #include "reduced_models/simulate.h"
 #include "scenes.h"
 #include <gtest/gtest.h>

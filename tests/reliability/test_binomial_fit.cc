@@ -1,5 +1,5 @@
 // Curves through shares at levels, by maximum likelihood.
-#include "reliability/binomial_fit.h"
+#include "studies/reliability/binomial_fit.h"
 #include "ten_levels.h"
 #include <algorithm>
 #include <cmath>

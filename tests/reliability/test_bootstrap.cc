@@ -1,5 +1,5 @@
-#include "files/error.h"
-#include "reliability/bootstrap.h"
+#include "io/files/error.h"
+#include "studies/reliability/bootstrap.h"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <random>

@@ -1,5 +1,5 @@
 // FEMA P-695: against its own tables.
-#include "reliability/collapse_margin.h"
+#include "studies/reliability/collapse_margin.h"
 #include <cmath>
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-#include "files/error.h"
-#include "reliability/failure_rate.h"
-#include "reliability/lognormal.h"
+#include "io/files/error.h"
+#include "studies/reliability/failure_rate.h"
+#include "studies/reliability/lognormal.h"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numeric>

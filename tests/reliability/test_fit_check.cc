@@ -1,6 +1,6 @@
 // Which lognormals the runs of a study refuse.
-#include "reliability/fit_check.h"
-#include "reliability/lognormal.h"
+#include "studies/reliability/fit_check.h"
+#include "studies/reliability/lognormal.h"
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-#include "files/error.h"
-#include "reliability/hazard.h"
+#include "io/files/error.h"
+#include "studies/reliability/hazard.h"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>

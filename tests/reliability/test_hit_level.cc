@@ -1,7 +1,7 @@
 // Runs that hit a stop and runs that do not, apart.
 #include "../scene/expect_error.h"
-#include "reliability/censored_lognormal.h"
-#include "reliability/hit_level.h"
+#include "studies/reliability/censored_lognormal.h"
+#include "studies/reliability/hit_level.h"
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>

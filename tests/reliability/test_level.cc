@@ -1,5 +1,5 @@
-#include "files/error.h"
-#include "reliability/level.h"
+#include "io/files/error.h"
+#include "studies/reliability/level.h"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>

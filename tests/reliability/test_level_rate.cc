@@ -1,5 +1,5 @@
 // Rates of fragilities that are known at levels, against closed forms.
-#include "reliability/level_rate.h"
+#include "studies/reliability/level_rate.h"
 #include "ten_levels.h"
 #include <cmath>
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // Failure rates of fragilities known at levels, against quadrature and closed forms.
 #include "../scene/expect_error.h"
-#include "reliability/failure_rate.h"
-#include "reliability/level_weights.h"
-#include "reliability/record_sums.h"
+#include "studies/reliability/failure_rate.h"
+#include "studies/reliability/level_weights.h"
+#include "studies/reliability/record_sums.h"
 #include <cmath>
 #include <gtest/gtest.h>
 

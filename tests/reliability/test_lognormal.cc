@@ -1,5 +1,5 @@
-#include "files/error.h"
-#include "reliability/lognormal.h"
+#include "io/files/error.h"
+#include "studies/reliability/lognormal.h"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>

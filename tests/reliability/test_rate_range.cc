@@ -1,7 +1,7 @@
 // A rate is a range: what levels of intensity leave open, against closed forms.
-#include "reliability/level_weights.h"
-#include "reliability/lognormal.h"
-#include "reliability/rate_range.h"
+#include "studies/reliability/level_weights.h"
+#include "studies/reliability/lognormal.h"
+#include "studies/reliability/rate_range.h"
 #include <cmath>
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 /// A study small enough for a test: two records, two levels, two systems of a rigid mass on the bearing.
 #pragma once
 #include "../scene/temporary_folder.h"
-#include "risk/results.h"
+#include "studies/risk/results.h"
 #include <cmath>
 #include <fmt/format.h>
 #include <string>

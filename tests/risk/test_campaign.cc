@@ -1,12 +1,12 @@
 // A small study from its file to its tables.
 #include "../scene/expect_error.h"
-#include "files/folder_lock.h"
-#include "files/table_csv.h"
+#include "io/files/folder_lock.h"
+#include "io/files/table_csv.h"
 #include "made_up.h"
-#include "risk/campaign.h"
-#include "risk/collect.h"
-#include "risk/plan.h"
-#include "risk/study_reader.h"
+#include "studies/risk/campaign.h"
+#include "studies/risk/collect.h"
+#include "studies/risk/plan.h"
+#include "studies/risk/study_reader.h"
 #include <algorithm>
 #include <filesystem>
 #include <set>

@@ -1,10 +1,10 @@
 // Fragility, rate and disaggregation of responses made up here.
 #include "../scene/expect_error.h"
 #include "made_up.h"
-#include "reliability/failure_rate.h"
-#include "risk/disaggregation.h"
-#include "risk/rate_doubts.h"
-#include "risk/study_reader.h"
+#include "studies/reliability/failure_rate.h"
+#include "studies/risk/disaggregation.h"
+#include "studies/risk/rate_doubts.h"
+#include "studies/risk/study_reader.h"
 #include <numeric>
 #include <random>
 

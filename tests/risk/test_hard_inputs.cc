@@ -1,8 +1,8 @@
 // Inputs that are hard on a study, one row each: the sentence it is refused with, or the right result.
-#include "files/error.h"
+#include "io/files/error.h"
 #include "made_up.h"
-#include "risk/evaluate.h"
-#include "risk/study_reader.h"
+#include "studies/risk/evaluate.h"
+#include "studies/risk/study_reader.h"
 #include <functional>
 #include <gtest/gtest.h>
 

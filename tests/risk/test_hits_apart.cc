@@ -1,9 +1,9 @@
 // Fragilities and rates of a made-up bearing whose rim stops it, and whose truth is known.
 #include "made_up.h"
-#include "reliability/failure_rate.h"
-#include "reliability/normal.h"
-#include "risk/evaluate.h"
-#include "risk/study_reader.h"
+#include "studies/reliability/failure_rate.h"
+#include "studies/reliability/normal.h"
+#include "studies/risk/evaluate.h"
+#include "studies/risk/study_reader.h"
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <numeric>

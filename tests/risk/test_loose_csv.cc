@@ -1,5 +1,5 @@
 #include "../scene/expect_error.h"
-#include "files/loose_csv.h"
+#include "io/files/loose_csv.h"
 
 using namespace rimpact;
 using rimpact::LooseTable;

@@ -1,10 +1,10 @@
 // Which records stand at which level.
 #include "../scene/expect_error.h"
+#include "io/records/record.h"
+#include "io/records/spectral_acceleration.h"
 #include "made_up.h"
-#include "records/record.h"
-#include "records/spectral_acceleration.h"
-#include "risk/motions.h"
-#include "risk/study_reader.h"
+#include "studies/risk/motions.h"
+#include "studies/risk/study_reader.h"
 #include <algorithm>
 #include <filesystem>
 

@@ -1,13 +1,13 @@
 // Components of one station are one recording; copies count once; FEMA P-695's set and acceptance.
 #include "../scene/expect_error.h"
-#include "fleets/record_cases.h"
+#include "io/records/record.h"
+#include "io/records/rotated_spectrum.h"
+#include "io/records/spectral_acceleration.h"
 #include "made_up.h"
-#include "records/record.h"
-#include "records/rotated_spectrum.h"
-#include "records/spectral_acceleration.h"
-#include "risk/collapse_check.h"
-#include "risk/far_field_set.h"
-#include "risk/study_reader.h"
+#include "studies/fleets/record_cases.h"
+#include "studies/risk/collapse_check.h"
+#include "studies/risk/far_field_set.h"
+#include "studies/risk/study_reader.h"
 #include <algorithm>
 #include <fmt/format.h>
 #include <set>

@@ -1,8 +1,8 @@
 #include "../scene/expect_error.h"
 #include "made_up.h"
-#include "risk/comparisons.h"
-#include "risk/study.h"
-#include "risk/study_reader.h"
+#include "studies/risk/comparisons.h"
+#include "studies/risk/study.h"
+#include "studies/risk/study_reader.h"
 #include <algorithm>
 
 using namespace rimpact;

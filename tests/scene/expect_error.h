@@ -1,6 +1,6 @@
 /// Expects an exception of a type whose sentence holds every one of the given words.
 #pragma once
-#include "files/error.h"
+#include "io/files/error.h"
 #include <gtest/gtest.h>
 #include <initializer_list>
 #include <string>

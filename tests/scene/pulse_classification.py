@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Pulses of pairs of records as the authors' program finds them: Shahi and Baker (BSSA 104, 2014), PulseClassification on GitHub, and the two
-functions of MATLAB that it stands on (cwt, wavefun), written again step by step in NumPy. It shares nothing with records/velocity_pulse.cc.
+functions of MATLAB that it stands on (cwt, wavefun), written again step by step in NumPy. It shares nothing with io/records/velocity_pulse.cc.
 
     pulse_classification.py FOLDER PAIRS.csv    prints PAIRS.csv (columns first, second, period_s) with the periods found; empty: no pulse"""
 import csv

@@ -1,6 +1,6 @@
 /// Readers meet any bytes: each either understands them or throws one of the toolkit's own errors.
-#include "files/error.h"
-#include "records/record.h"
+#include "io/files/error.h"
+#include "io/records/record.h"
 #include "responses/response_csv.h"
 #include "scene/scene.h"
 #include "scene/toml_writer.h"

@@ -1,6 +1,6 @@
 // What is an assumption is said by the bearing's file, and kept on the way through resolving.
 #include "expect_error.h"
-#include "files/toml_comments.h"
+#include "io/files/toml_comments.h"
 #include "scene/assumptions.h"
 #include "scene/bearing_catalogue.h"
 #include "scene/scene.h"

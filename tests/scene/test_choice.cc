@@ -1,4 +1,4 @@
-#include "files/choice.h"
+#include "io/files/choice.h"
 #include "scene/scene.h"
 #include <gtest/gtest.h>
 #include <set>

@@ -1,5 +1,5 @@
 // The one table of spellings of a record's direction.
-#include "records/direction.h"
+#include "io/records/direction.h"
 #include <gtest/gtest.h>
 
 using namespace rimpact;

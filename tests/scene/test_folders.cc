@@ -1,8 +1,8 @@
 // What results are of (identity), what a folder holds (kept runs), whose it is (locks), and what may name it.
 #include "expect_error.h"
-#include "files/digest.h"
-#include "files/file.h"
-#include "files/folder_lock.h"
+#include "io/files/digest.h"
+#include "io/files/file.h"
+#include "io/files/folder_lock.h"
 #include "responses/kept_run.h"
 #include "responses/physics_version.h"
 #include "responses/run_folder.h"

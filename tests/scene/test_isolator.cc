@@ -1,6 +1,6 @@
 // [isolator]: what cannot be built is refused with its place, its value and its bound.
 #include "expect_error.h"
-#include "files/key_list.h"
+#include "io/files/key_list.h"
 #include "scene/isolator_catalogue.h"
 #include "scene/keys.h"
 #include "scene/scene.h"

@@ -1,9 +1,9 @@
 // Cells and numbers of tables as laboratories and spreadsheets write them.
-#include "files/binary_kind.h"
-#include "files/error.h"
-#include "files/loose_cells.h"
-#include "files/loose_csv.h"
-#include "files/table_lines.h"
+#include "io/files/binary_kind.h"
+#include "io/files/error.h"
+#include "io/files/loose_cells.h"
+#include "io/files/loose_csv.h"
+#include "io/files/table_lines.h"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

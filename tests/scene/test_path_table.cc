@@ -1,6 +1,6 @@
 // Paths from files: corners by the share of their length, times, and what a bad file is told.
-#include "files/error.h"
-#include "files/file.h"
+#include "io/files/error.h"
+#include "io/files/file.h"
 #include "scene/scene.h"
 #include "scene/toml_writer.h"
 #include <filesystem>

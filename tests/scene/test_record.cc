@@ -1,6 +1,6 @@
 #include "expect_error.h"
-#include "records/near_fault_pulse.h"
-#include "records/record.h"
+#include "io/records/near_fault_pulse.h"
+#include "io/records/record.h"
 #include "temporary_folder.h"
 #include <cmath>
 #include <map>

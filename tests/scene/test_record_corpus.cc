@@ -1,12 +1,12 @@
 // A small file of every form (our own numbers, the forms' own layout), each read, and refused with its kind of damage.
 #include "expect_error.h"
-#include "files/file.h"
-#include "files/zip_archive.h"
-#include "records/record.h"
-#include "records/record_corrections.h"
-#include "records/record_doubts.h"
-#include "records/record_file.h"
-#include "records/record_folder.h"
+#include "io/files/file.h"
+#include "io/files/zip_archive.h"
+#include "io/records/record.h"
+#include "io/records/record_corrections.h"
+#include "io/records/record_doubts.h"
+#include "io/records/record_file.h"
+#include "io/records/record_folder.h"
 #include "temporary_folder.h"
 #include <algorithm>
 #include <filesystem>

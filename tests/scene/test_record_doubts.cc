@@ -1,7 +1,7 @@
 // Whether a record is ground motion: what is odd about its numbers, and its baseline.
-#include "records/record.h"
-#include "records/record_doubts.h"
-#include "records/scaled_copies.h"
+#include "io/records/record.h"
+#include "io/records/record_doubts.h"
+#include "io/records/scaled_copies.h"
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>

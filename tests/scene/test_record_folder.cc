@@ -1,8 +1,8 @@
 // What a folder's records are: stations, directions, pairs, and what is asked about.
 #include "expect_error.h"
-#include "records/record.h"
-#include "records/record_file.h"
-#include "records/record_folder.h"
+#include "io/records/record.h"
+#include "io/records/record_file.h"
+#include "io/records/record_folder.h"
 #include "temporary_folder.h"
 #include <algorithm>
 #include <cstdlib>

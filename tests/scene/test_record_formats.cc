@@ -1,7 +1,7 @@
 // Records as data bases give them: K-NET, ESM, COSMOS V2.
 #include "expect_error.h"
-#include "records/record.h"
-#include "records/record_format.h"
+#include "io/records/record.h"
+#include "io/records/record_format.h"
 #include <cmath>
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // Records kept between runs.
-#include "records/record_library.h"
+#include "io/records/record_library.h"
 #include "temporary_folder.h"
 #include <chrono>
 #include <gtest/gtest.h>

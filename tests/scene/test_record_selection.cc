@@ -1,7 +1,7 @@
 // Targets of codes, selection and scaling to them, and components turned to a fault.
 #include "expect_error.h"
-#include "records/fault_rotation.h"
-#include "records/record_selection.h"
+#include "io/records/fault_rotation.h"
+#include "io/records/record_selection.h"
 #include "temporary_folder.h"
 #include <cmath>
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 #include "expect_error.h"
-#include "files/file.h"
+#include "io/files/file.h"
 #include "responses/response_csv.h"
 #include "responses/response_hdf5.h"
 #include "responses/summary.h"

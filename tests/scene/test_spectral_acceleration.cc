@@ -1,4 +1,4 @@
-#include "records/spectral_acceleration.h"
+#include "io/records/spectral_acceleration.h"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>

@@ -1,5 +1,5 @@
 // A slider between two like dishes: capacity, tilt and mass against searches and sums of their own; keys; refusals.
-#include "files/error.h"
+#include "io/files/error.h"
 #include "scene/bearing_catalogue.h"
 #include "scene/scene.h"
 #include "scene/toml_writer.h"

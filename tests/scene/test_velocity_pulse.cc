@@ -1,13 +1,13 @@
 // Pulses, and accelerations in every direction.
-#include "files/table.h"
-#include "files/table_csv.h"
-#include "records/daubechies.h"
-#include "records/near_fault_pulse.h"
-#include "records/record.h"
-#include "records/rotated_spectrum.h"
-#include "records/spectral_acceleration.h"
-#include "records/velocity_pulse.h"
-#include "records/wavelet_candidates.h"
+#include "io/files/table.h"
+#include "io/files/table_csv.h"
+#include "io/records/daubechies.h"
+#include "io/records/near_fault_pulse.h"
+#include "io/records/record.h"
+#include "io/records/rotated_spectrum.h"
+#include "io/records/spectral_acceleration.h"
+#include "io/records/velocity_pulse.h"
+#include "io/records/wavelet_candidates.h"
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>

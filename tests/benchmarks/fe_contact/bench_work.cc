@@ -11,7 +11,7 @@
 #include "fe_contact/solver/ranks.h"
 #include "fe_contact/solver/sgemm.h"
 #include "fe_contact/solver/stopwatch.h"
-#include "files/library_threads.h"
+#include "io/files/library_threads.h"
 #include <algorithm>
 #include <fmt/core.h>
 #include <petscsys.h>

@@ -3,8 +3,8 @@
 // down, loaded, and slid on into the rim. Units: mm, N, MPa; half model, so that forces in the .dat file are half.
 #include "../../benchmarks/peers/rim_calculix/ccx_deck.h"
 #include "fe_contact/drive/run.h"
-#include "files/error.h"
-#include "planning/plan.h"
+#include "fe_contact/planning/plan.h"
+#include "io/files/error.h"
 #include "scene/scene.h"
 #include <algorithm>
 #include <CLI/CLI.hpp>

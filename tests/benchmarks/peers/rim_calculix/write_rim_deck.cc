@@ -5,9 +5,9 @@
 #include "fe_contact/drive/order.h"
 #include "fe_contact/drive/path_course.h"
 #include "fe_contact/engine/solid.h"
-#include "files/error.h"
+#include "fe_contact/planning/plan.h"
+#include "io/files/error.h"
 #include "meshes/rim_mesh.h"
-#include "planning/plan.h"
 #include "reduced_models/physical_model.h"
 #include "scene/scene.h"
 #include <algorithm>

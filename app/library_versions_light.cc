@@ -1,9 +1,0 @@
-#include "app/library_versions.h"
-
-namespace rimpact::app {
-
-LibraryVersions library_versions() {
-  return {{{"finite elements", "none"}}, ""};
-}
-
-} // namespace rimpact::app

@@ -1,0 +1,85 @@
+#include "fe_contact/planning/refusal.h"
+
+#include <fmt/format.h>
+
+namespace rimpact::planning {
+
+namespace {
+
+/// Of [reduced] what no rung reads, and would change what the user expects.
+std::optional<std::string> unread_of_reduced(const scene::Scene &scene) {
+  const auto &r = scene.reduced;
+  if (r.integrator == scene::Integrator::cvode)
+    return fmt::format("reduced.integrator \"{}\" checks the reduced model's own steps: finite elements have steps of "
+                       "their own; use `rimpact reduced`, or --set reduced.integrator=\"own\"",
+                       word(r.integrator));
+  if (r.normal_force == scene::NormalForce::pad && r.calibration.empty()) // a calibration's is for its reduced model
+    return fmt::format("reduced.normal_force \"{}\" is the reduced model's: rung `rim` has no pad, the others a solid "
+                       "one; use `rimpact reduced`, or --set reduced.normal_force=\"{}\"",
+                       word(r.normal_force), word(scene::NormalForce::inertia));
+  if (r.measured.by_temperature)
+    return "reduced.mu_by_temperature is the reduced models': the finite-element rungs carry no heat of sliding; use "
+           "`rimpact reduced`, or --set reduced.mu_by_temperature=false";
+  if (!has_dish(scene.model.rung)) return std::nullopt;
+  const std::string solid = fmt::format(" is not for rung `{}`, whose pad slides on its dish by the keys of "
+                                        "bearing.contact: ",
+                                        word(scene.model.rung));
+  if (r.measured.table)
+    return "reduced.mu_table" + solid + "steel_ertalyte, steel_ertalyte_slow, reference_pressure_MPa";
+  if (r.measured.scale != 1) return "reduced.mu_scale" + solid + "steel_ertalyte, steel_ertalyte_slow";
+  if (r.measured.reference_pressure != scene.bearing.contact.reference_pressure)
+    return "reduced.mu_reference_pressure_MPa" + solid + "reference_pressure_MPa, the same for the reduced model";
+  return std::nullopt;
+}
+
+} // namespace
+
+std::optional<std::string> beyond_rungs(const scene::Scene &scene) {
+  if (scene.rigid_bodies())
+    return fmt::format("reduced.model \"{}\" is a bearing of rigid bodies: the finite-element rungs know bearings "
+                       "of one dish only; use `rimpact reduced`",
+                       word(scene.reduced.model));
+  if (scene.superstructure.any())
+    return fmt::format("superstructure.kind \"{}\" is not for the finite-element rungs, which carry a rigid mass; use "
+                       "`rimpact reduced`, or --set superstructure.kind=\"none\"",
+                       word(scene.superstructure.kind));
+  return unread_of_reduced(scene);
+}
+
+std::optional<std::string> refusal(const scene::Scene &scene) {
+  if (auto reason = beyond_rungs(scene)) return reason;
+  using Kind = scene::ExcitationKind;
+  const Kind kind = scene.excitation.kind;
+  const bool stands = has_dish(scene.model.rung);
+  const std::string rung = word(scene.model.rung), name = "excitation.kind '" + word(kind) + "'";
+  const bool on_the_dish = scene.excitation.stays_on_dish();
+  if (!stands && on_the_dish)
+    return name +
+           " moves on the dish without touching the rim; rung `rim` has nothing to solve there: try --rung rigid-dish";
+  if (stands && kind == Kind::free)
+    return name + " is not in this build's rung `" + rung +
+           "`; it has: cyclic, figure-eight, path, push, ricker, record, window";
+  if (stands && kind == Kind::window && !scene.excitation.with_weight)
+    return "a weightless window has nothing that holds the stack on its dish: set excitation.with to "
+           "[\"weight\", \"friction\"], or run it on rung `rim`";
+  if (stands && scene.load.vertical <= 0)
+    return fmt::format(
+        "load.vertical_kN {:g} has nothing that holds the stack on its dish: rung `{}` needs a weight > 0; rung "
+        "`rim` can do without",
+        scene.load.vertical / 1e3, rung);
+  const double own = scene::slider_mass(scene.bearing);
+  if (scene.load.mass <= own)
+    return fmt::format("load.mass_kg {:g} is no more than the slider's own mass, {:.1f} kg, which it includes: nothing "
+                       "is left to be carried",
+                       scene.load.mass, own);
+  if (stands && on_the_dish && make_plan(scene).rim_takes_part)
+    return fmt::format("excitation.{} {} carries the slider to the rim, L_c = {} m; a quasi-static path must stay "
+                       "below it",
+                       kind == Kind::path ? "file reaches" : "amplitude_m",
+                       scene.excitation.scale *
+                           (kind == Kind::path ? scene.excitation.path.reach() : scene.excitation.largest_amplitude()),
+                       scene.bearing.lateral_capacity());
+  return std::nullopt;
+}
+
+} // namespace rimpact::planning

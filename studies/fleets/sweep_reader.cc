@@ -1,0 +1,192 @@
+#include "studies/fleets/sweep_reader.h"
+#include "io/files/text.h"
+#include "scene/scene.h"
+#include "studies/fleets/latin_hypercube_reader.h"
+#include "studies/fleets/record_cases.h"
+#include "studies/fleets/sweep_toml.h"
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+
+namespace rimpact::fleets {
+namespace {
+
+const std::vector<std::string> part_names = {"case",   "device",   "records", "grid", "latin_hypercube",
+                                             "linked", "fractiles"};
+
+class PartsReader : SweepToml {
+public:
+  using SweepToml::SweepToml;
+
+  SweepParts read(const std::vector<std::string> &also) {
+    std::vector<std::string> known = part_names;
+    known.insert(known.end(), also.begin(), also.end());
+    for (const auto &[name, node] : file_.root())
+      if (std::find(known.begin(), known.end(), name.str()) == known.end()) fail(node, not_among(name.str(), known));
+    read_cases("case", parts_.cases);
+    read_cases("device", parts_.devices);
+    read_records();
+    each_key("grid", [&](const std::string &key, const toml::node &node) {
+      parts_.grid.push_back({key, grid_values(key, node)});
+    });
+    read_latin_hypercube(file_, origin_, parts_);
+    each_key("linked", [&](const std::string &key, const toml::node &node) { read_linked(key, node); });
+    read_fractiles();
+    return std::move(parts_);
+  }
+
+private:
+  /// `part`: case or device, which is also the column of the names.
+  void read_cases(const std::string &part, std::vector<std::vector<Axis>> &cases) const {
+    const auto *node = file_.root().get(part);
+    if (!node) return;
+    const std::string form = fmt::format("{0}s are written [[{0}]], one table each", part);
+    each_table(*node, form, [&](const toml::table &entry) {
+      std::vector<Axis> axes;
+      leaves(entry, "", [&](const std::string &key, const toml::node &leaf) {
+        if (key != "name") return axes.push_back({key, {value(key, leaf)}});
+        if (!leaf.is_string()) fail(leaf, "name must be a text");
+        axes.push_back({part, {{leaf.as_string()->get(), leaf.as_string()->get()}}});
+      });
+      const auto &first = cases.empty() ? axes : cases.front();
+      const auto same = [](const Axis &a, const Axis &b) { return a.key == b.key; };
+      if (!std::equal(axes.begin(), axes.end(), first.begin(), first.end(), same))
+        fail(entry, fmt::format("this {} has not the same keys as the first one", part));
+      cases.push_back(std::move(axes));
+    });
+    if (cases.empty()) fail(*node, form);
+  }
+
+  void read_records() {
+    const auto *node = file_.root().get("records");
+    if (!node) return;
+    const auto *table = node->as_table();
+    if (!table) fail(*node, "records must be a table: [records]");
+    only(*table, {"folder", "components", "sa_period_s"}, "records");
+    const auto text = [&](const char *name) {
+      const auto *entry = table->get(name);
+      if (!entry || !entry->is_string()) fail(entry ? *entry : *node, fmt::format("records.{} must be a text", name));
+      return entry->as_string()->get();
+    };
+    const std::string written = text("components");
+    const auto components = parse<Components>(written);
+    if (!components) fail(*table->get("components"), "records.components: " + not_among(written, words<Components>()));
+    double period = 0;
+    if (const auto *entry = table->get("sa_period_s")) {
+      period = entry->value<double>().value_or(0);
+      if (!(period >= 0.01 && period <= 100)) fail(*entry, "records.sa_period_s must be at least 0.01 and at most 100");
+    }
+    parts_.records = record_cases(text("folder"), *components, period, place(*table->get("folder")));
+  }
+
+  /// Files are sought beside the sweep file.
+  RecordCases record_cases(const std::string &folder, Components components, double period,
+                           const std::string &where) const {
+    try {
+      return cases_of_folder((std::filesystem::path(origin_).parent_path() / folder).string(), components, period);
+    } catch (const InputError &error) {
+      throw InputError(fmt::format("{}: records.folder: {}", where, error.what()));
+    }
+  }
+
+  void read_fractiles() {
+    const auto *node = file_.root().get("fractiles");
+    if (!node) return;
+    const auto *table = node->as_table();
+    const auto *along = table ? table->get("along") : nullptr;
+    if (!along || !along->is_string()) fail(*node, "[fractiles] needs along = \"KEY\"");
+    only(*table, {"along", "by"}, "fractiles");
+    parts_.fractiles_along = along->as_string()->get();
+    if (!varies(parts_.fractiles_along) && !is_linked(parts_.fractiles_along))
+      fail(*along, fmt::format("fractiles.along: \"{}\" is no key of this sweep", parts_.fractiles_along));
+    if (const auto *by = table->get("by")) parts_.fractiles_by = keys_of_fractiles(*by);
+  }
+  std::vector<std::string> keys_of_fractiles(const toml::node &node) const {
+    const auto *list = node.as_array();
+    if (!list) fail(node, "fractiles.by must be a list of keys");
+    std::vector<std::string> keys;
+    for (const auto &entry : *list) {
+      const std::string key = entry.value_or(std::string());
+      if (!varies(key) && !is_linked(key))
+        fail(entry, fmt::format("fractiles.by: \"{}\" is no key of this sweep", key));
+      if (key == parts_.fractiles_along || std::find(keys.begin(), keys.end(), key) != keys.end())
+        fail(entry, fmt::format("fractiles.by: \"{}\" is given twice", key));
+      keys.push_back(key);
+    }
+    return keys;
+  }
+  bool is_linked(const std::string &name) const {
+    return std::any_of(parts_.linked.begin(), parts_.linked.end(), [&](const auto &l) { return l.key == name; });
+  }
+
+  std::vector<Value> grid_values(const std::string &key, const toml::node &node) const {
+    std::vector<Value> values;
+    if (const auto *list = node.as_array()) {
+      for (const auto &entry : *list) values.push_back(value(key, entry));
+    } else if (const auto *table = node.as_table()) {
+      only(*table, {"from", "to", "count"}, key);
+      const double from = number_in(*table, "from", key), to = number_in(*table, "to", key),
+                   count = number_in(*table, "count", key);
+      if (!(count >= 2 && count <= largest_fleet && count == std::floor(count)))
+        fail(*table->get("count"), fmt::format("{}.count must be a whole number from 2 to {}", key, largest_fleet));
+      values = even_values(key, from, to, static_cast<int>(count), place(node));
+    } else {
+      fail(node, key + " must be a list of values or { from = .., to = .., count = .. }");
+    }
+    if (values.empty()) fail(node, key + " has no values");
+    return values;
+  }
+
+  void read_linked(const std::string &key, const toml::node &node) {
+    const auto *table = node.as_table();
+    const auto *list = table ? table->get_as<toml::array>("product") : nullptr;
+    if (!list || list->empty()) fail(node, key + " must be { product = [..] } of numbers and keys");
+    only(*table, {"product", "over"}, key);
+    LinkedKey linked{key, place(node), 1, {}, {}};
+    for (const auto &entry : *list)
+      if (entry.is_string())
+        linked.factors.push_back(varying(entry, key));
+      else
+        linked.factor *= number(entry, key + ".product");
+    if (const auto *over = table->get("over")) {
+      if (!over->is_string()) fail(*over, key + ".over must be one key");
+      linked.divisor = varying(*over, key);
+    }
+    parts_.linked.push_back(std::move(linked));
+  }
+  std::string varying(const toml::node &node, const std::string &key) const {
+    std::string name = node.as_string()->get();
+    if (!varies(name)) fail(node, fmt::format("{} uses \"{}\", which no part above sets", key, name));
+    return name;
+  }
+  bool varies(const std::string &name) const {
+    const auto has = [&](const auto &axes) {
+      return std::any_of(axes.begin(), axes.end(), [&](const auto &axis) { return axis.key == name; });
+    };
+    return has(parts_.grid) || has(parts_.sampled) || (!parts_.cases.empty() && has(parts_.cases.front())) ||
+           (!parts_.devices.empty() && has(parts_.devices.front())) ||
+           (!parts_.records.cases.empty() && has(parts_.records.cases.front()));
+  }
+
+  SweepParts parts_;
+};
+
+} // namespace
+
+std::vector<Value> even_values(const std::string &key, double from, double to, int count, const std::string &place) {
+  std::vector<Value> values;
+  for (int i = 0; i < count; ++i) {
+    const double share = i / std::max(1.0, count - 1.0), exact = std::lerp(from, to, share);
+    const bool end = i == 0 || i + 1 == count; // between the ends 0.8, not 0.7999999999999999
+    values.push_back(number_value(end ? exact : to_number(fmt::format("{:.14g}", exact)).value_or(exact)));
+    if (!is_variable(key)) scene::check_assignment(key + "=" + values.back().toml, place);
+  }
+  return values;
+}
+
+SweepParts read_parts(const TomlFile &file, const std::string &origin, const std::vector<std::string> &also) {
+  return PartsReader(file, origin).read(also);
+}
+
+} // namespace rimpact::fleets
