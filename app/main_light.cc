@@ -1,6 +1,6 @@
 // The light executable: everything but finite elements, which it hands to its sibling.
+#include "app/console/child_process.h"
 #include "app/console/command.h"
-#include "app/console/sibling.h"
 #include "app/jobs/rank_launcher.h"
 #include "app/verbs/catalogue.h"
 #include "io/files/library_threads.h"
@@ -41,7 +41,7 @@ int main(int argc, char **argv) {
         const int ranks = asked ? *asked : app::usual_ranks(words);
         if (ranks > 1) return app::run_on_ranks(ranks, app::fe_program(), words);
       }
-      app::become_fe(words);
+      app::exec_fe(words);
     } catch (const Error &error) {
       app::say(fmt::format("error: {}\n", error.what()));
       return static_cast<int>(error.code());

@@ -89,14 +89,14 @@ void BuildingRun::give_up(double t, const VectorXd &y) const {
   throw SolverStopped(fmt::format("the time step of the building became too small at t = {:.6g} s", t));
 }
 
-void BuildingRun::set_out_on_rims(double t, const VectorXd &y, const VectorXd &dy) {
+void BuildingRun::begin_step_on_rims(double t, const VectorXd &y, const VectorXd &dy) {
   for (int b = 0; b < dynamics_.n_bearings(); ++b) {
     if (!dynamics_.laws[b].denting(modes_[b])) continue;
     const auto state = dynamics_.bearing_state(b, y);
     auto rate = state;
     const Eigen::Vector3d a = dynamics_.slider[b].of(dy.data() + dynamics_.n);
     rate[reduced::iVX] = a[0], rate[reduced::iVY] = a[1];
-    dynamics_.laws[b].set_out(modes_[b], t, state, rate);
+    dynamics_.laws[b].begin_step(modes_[b], t, state, rate);
   }
 }
 
@@ -118,21 +118,22 @@ void BuildingRun::apply(const Watch &watch, double t, VectorXd &y, BuildingRecor
     loss = dynamics_.land(watch.bearing, modes_, t, y);
   else
     mode.rim = dynamics_.laws[watch.bearing].rim_after(watch.event, mode, t, dynamics_.bearing_state(watch.bearing, y));
-  if (watch.event != Event::landing) dynamics_.settle(modes_, t, y, watch.event == Event::uplift ? watch.bearing : -1);
+  if (watch.event != Event::landing)
+    dynamics_.update_modes(modes_, t, y, watch.event == Event::uplift ? watch.bearing : -1);
   dynamics_.project(modes_, y);
   recorder.branch(dynamics_, before, modes_, t, y, loss);
 }
 
 void BuildingRun::run(double t_end, BuildingRecorder &recorder) {
   VectorXd first = dynamics_.start();
-  dynamics_.settle(modes_, 0, first);
+  dynamics_.update_modes(modes_, 0, first);
   stepper_.begin(0, first, scales(), dynamics_.laws[0].ground.breakpoints());
   auto &s = stepper_.step;
   recorder.begin(dynamics_, modes_, s.y0);
   dynamics_.rhs(modes_, 0, s.y0, s.k[0]);
   while (s.t < t_end - 1e-13) {
     const auto events = watched();
-    set_out_on_rims(s.t, s.y0, s.k[0]);
+    begin_step_on_rims(s.t, s.y0, s.k[0]);
     const int event = stepper_.advance(events, t_end);
     recorder.steps.add(s.t);
     dynamics_.project(modes_, s.y1);

@@ -29,7 +29,7 @@ private:
   std::vector<Watch> watched() const;
   Vector scales() const;
   void apply(const Watch &watch, double t, Vector &y, BuildingRecorder &recorder);
-  void set_out_on_rims(double t, const Vector &y, const Vector &dy);
+  void begin_step_on_rims(double t, const Vector &y, const Vector &dy);
   void arrive_on_rims(double t, const Vector &y);
 
   const BuildingDynamics &dynamics_;

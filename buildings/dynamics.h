@@ -40,7 +40,7 @@ public:
   void project(const BearingModes &modes, Eigen::VectorXd &y) const;
   /// Which bearings carry: of those on their dish and not approaching it, N >= 0, no slider driven through its dish,
   /// the smaller of N and opening zero. `leaving` (or -1) opens.
-  void settle(BearingModes &modes, double t, const Eigen::VectorXd &y, int leaving = -1) const;
+  void update_modes(BearingModes &modes, double t, const Eigen::VectorXd &y, int leaving = -1) const;
   /// Frictionless impulses that end the approach of bearing `b` (by its vertical restitution), no other bearing pulled
   /// down. Returns the energy lost [J].
   double land(int b, BearingModes &modes, double t, Eigen::VectorXd &y) const;

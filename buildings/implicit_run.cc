@@ -91,7 +91,7 @@ void ImplicitRun::linearise(const State &to, bool renew, VectorXd &residual, Mat
   residual -= b.model.mass.cwiseProduct(to.acceleration);
   b.structure->linearise(to.q, to.velocity, residual, tangent);
   for (int i = 0; i < b.n_bearings(); ++i) {
-    const MountForce m = b.mounts[i]->linearise(b.node(i, to.q, to.velocity), renew);
+    const ElementForce m = b.mounts[i]->linearise(b.node(i, to.q, to.velocity), renew);
     const auto &W = b.over_q[i];
     residual += W.transpose() * m.force;
     if (renew) tangent -= W.transpose() * (m.tangent * W);
@@ -216,7 +216,7 @@ void ImplicitRun::locate_wall(double h) {
 
 bool ImplicitRun::advance(double limit, double &h) {
   for (int b = 0; b < building_.n_bearings(); ++b)
-    building_.mounts[b]->set_out(at_[0].t, building_.over_q[b] * at_[0].acceleration);
+    building_.mounts[b]->begin_step(at_[0].t, building_.over_q[b] * at_[0].acceleration);
   for (;;) {
     h = std::min(h, largest_step());
     const bool clipped = at_[0].t + h * 1.001 >= limit;

@@ -59,7 +59,7 @@ public:
     }
     for (auto &turns : turns_) turns = VectorXd::Zero(model.n_nodes);
     turn_rate_ = turns_[0];
-    settle(gravity);
+    update_modes(gravity);
   }
 
   Rest at_rest() const override { return rest_; }
@@ -171,7 +171,7 @@ private:
   }
 
   /// Sections follow the weight by BDF2. Twice the steps until the forces stay where they are.
-  void settle(double gravity) {
+  void update_modes(double gravity) {
     constexpr int fewest = 20, most = 640;
     constexpr double close = 1e-4; // of the largest force: the finer of two is four times nearer
     const int n = model_.n_dofs(), nn = model_.n_nodes;

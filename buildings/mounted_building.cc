@@ -1,7 +1,7 @@
 #include "buildings/mounted_building.h"
-#include "buildings/dish_mount.h"
+#include "buildings/dish_element.h"
 #include "buildings/dynamics.h"
-#include "buildings/rigid_mount.h"
+#include "buildings/rigid_element.h"
 #include <algorithm>
 
 namespace rimpact::buildings {
@@ -19,7 +19,7 @@ MountedBuilding::MountedBuilding(const BuildingModel &m, const scene::Scene &sce
     s.load.mass = s.load.vertical > 0 ? s.load.vertical / gravity : scene.load.mass;
     s.superstructure = {}, s.excitation = scene.excitation;
     check_building_scene(s);
-    mounts.push_back(s.rigid_bodies() ? rigid_mount(s) : dish_mount(s));
+    mounts.push_back(s.rigid_bodies() ? rigid_element(s) : dish_element(s));
     capacity.push_back(mounts[b]->lateral_capacity), rim_stiffness.push_back(mounts[b]->rim_stiffness);
     over_q.push_back(m.nodal.middleRows(6 * m.bearings[b], 6));
   }

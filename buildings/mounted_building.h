@@ -14,7 +14,7 @@ public:
   double elastic_energy(const Eigen::VectorXd &y) const override;
 
   std::unique_ptr<Structure> structure;
-  std::vector<std::unique_ptr<Mount>> mounts;
+  std::vector<std::unique_ptr<BearingElement>> mounts;
   std::vector<Eigen::Matrix<double, 6, Eigen::Dynamic>> over_q; ///< node's motion of each bearing over q
   scene::GroundMotion ground;
 };

@@ -1,6 +1,6 @@
 /// What stands on the bearings, in the basis of floors and nodes (assembly.h), as an implicit step sees it. SI units.
 #pragma once
-#include "buildings/mount.h"
+#include "buildings/bearing_element.h"
 
 namespace rimpact::buildings {
 
@@ -28,7 +28,7 @@ public:
   struct Power {
     double damping, hysteretic; ///< taken [W]
   };
-  virtual Power power(int stage, const Eigen::VectorXd &v) const = 0; ///< stages as Mount::power
+  virtual Power power(int stage, const Eigen::VectorXd &v) const = 0; ///< stages as BearingElement::power
   virtual double stored(const Eigen::VectorXd &q) const = 0;          ///< elastic energy at the step's end [J]
   /// At the step's end, for the recorder; empty where the displacements say all.
   virtual MembersResponse members(const Eigen::VectorXd &) const { return {}; }

@@ -15,7 +15,7 @@ constexpr double on_dish = 1e-12; ///< clearance below which an open bearing tou
 constexpr double small_bounce = 1e-5;
 } // namespace
 
-void BuildingDynamics::settle(BearingModes &modes, double t, const VectorXd &y, int leaving) const {
+void BuildingDynamics::update_modes(BearingModes &modes, double t, const VectorXd &y, int leaving) const {
   BearingModes trial = modes;
   for (int b = 0; b < n_bearings(); ++b) {
     const Vector3d u = slider[b].of(y.data()), v = slider[b].of(y.data() + n);
@@ -73,7 +73,7 @@ double BuildingDynamics::land(int b, BearingModes &modes, double t, VectorXd &y)
   if (!bounces) {
     for (const int i : held) modes[i].support = Support::sliding;
     project(modes, y);
-    settle(modes, t, y);
+    update_modes(modes, t, y);
     project(modes, y);
   }
   return before - kinetic_energy(y);

@@ -60,7 +60,7 @@ GmshGroups::GmshGroups(const scene::OwnMesh &own) : own_(own), entities_(scene::
           entities_[k].insert(entities_[k].end(), found->second.begin(), found->second.end());
         else if (mapped)
           throw DataError(fmt::format("{}: model.own_mesh.groups.{}: {}", own.file, scene::mesh_group_names[k],
-                                      not_among(name, names_of(known))));
+                                      unknown_word(name, names_of(known))));
       }
     }
     if (dimension == 3) refuse_unclaimed(known);

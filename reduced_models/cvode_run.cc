@@ -165,7 +165,7 @@ bool run_with_cvode(const Dynamics &dynamics, const scene::Scene &scene, const B
     if (dynamics.denting(mode)) {
       State rates(dynamics.n_state());
       dynamics.rhs(mode, t, y, rates);
-      dynamics.set_out(mode, t, y, rates);
+      dynamics.begin_step(mode, t, y, rates);
       cvode.follow(mode);
     }
     const double t0 = t;

@@ -47,10 +47,10 @@ public:
   /// Keeps what a slider at u (any length > 0) presses to, d [m].
   void press(const Eigen::Vector2d &u, double d, const DentShape &shape);
   /// A step of a pressing slider begins at t [s]; it ends by `arrive`, which keeps the stroke, or by `lift`.
-  void set_out(double t, const WallPoint &at) { from_ = at, since_ = t; }
+  void begin_step(double t, const WallPoint &at) { from_ = at, since_ = t; }
   void arrive(double t, const WallPoint &at, const DentShape &shape);
   void lift() { from_.reset(); }
-  /// The stroke since set_out, while the step is being taken; none before the first instant after it.
+  /// The stroke since begin_step, while the step is being taken; none before the first instant after it.
   std::optional<WallStroke> under_way(double t, const WallPoint &at, const DentShape &shape) const;
   bool setting_out() const { return from_.has_value(); }
 

@@ -145,11 +145,11 @@ public:
   /// a curve's limits (curve_limits.h).
   void keep_to_rim(const Mode &mode, double t, const State &y) const;
   /// Branch of a state at the start of a run or after a jump: decides between sliding, stuck and airborne.
-  void settle(Mode &mode, double t, State &y) const;
+  void update_mode(Mode &mode, double t, State &y) const;
   /// Before a step from y (its rates dy) and after it: a rim that yields keeps the path it was pressed along.
-  void set_out(Mode &mode, double t, const State &y, const State &dy) const;
+  void begin_step(Mode &mode, double t, const State &y, const State &dy) const;
   void arrive(Mode &mode, double t, const State &y) const;
-  /// Whether the rim is pressed and remembers it: steps need `set_out` and `arrive`.
+  /// Whether the rim is pressed and remembers it: steps need `begin_step` and `arrive`.
   bool denting(const Mode &mode) const { return mode.rim == RimContact::pressed && rim.law->yields; }
   /// After a step: true when the branch changed because a mass has crept to its stop or its sliding has
   /// become slow.

@@ -105,7 +105,7 @@ void HybridRun::rest(double t_end, Recorder &recorder) {
 /// One step and what has ended it.
 std::optional<Event> HybridRun::step(double t_end, Recorder &recorder) {
   auto &s = stepper_.step;
-  dynamics_.set_out(mode_, s.t, s.y0, s.k[0]);
+  dynamics_.begin_step(mode_, s.t, s.y0, s.k[0]);
   EventList events = dynamics_.events(mode_);
   if (*stop_) events.add(Event::target);
   const int found = stepper_.advance(events, t_end);

@@ -89,10 +89,10 @@ RimPush Dynamics::rim_push(const Mode &mode, double t, const Vector2d &u, const 
   return {rim.law->unilateral ? std::max(0.0, force) : force, 0, force};
 }
 
-void Dynamics::set_out(Mode &mode, double t, const State &y, const State &dy) const {
+void Dynamics::begin_step(Mode &mode, double t, const State &y, const State &dy) const {
   if (!denting(mode)) return;
-  mode.dented.set_out(t,
-                      wall_point({y[iX], y[iY]}, {y[iVX], y[iVY]}, {dy[iVX], dy[iVY]}, lateral_capacity, dents.wall));
+  mode.dented.begin_step(
+      t, wall_point({y[iX], y[iY]}, {y[iVX], y[iVY]}, {dy[iVX], dy[iVY]}, lateral_capacity, dents.wall));
 }
 
 void Dynamics::arrive(Mode &mode, double t, const State &y) const {
@@ -135,7 +135,7 @@ void Dynamics::project(Mode &mode, State &y) const {
   if (mode.support == Support::sliding && speed > 0) mode.e0 = Vector2d(y[iVX], y[iVY]) / speed;
 }
 
-void Dynamics::settle(Mode &mode, double t, State &y) const {
+void Dynamics::update_mode(Mode &mode, double t, State &y) const {
   if (mode.support == Support::airborne) return;
   mode.support = Support::sliding;
   project(mode, y);
@@ -153,7 +153,7 @@ void Dynamics::settle(Mode &mode, double t, State &y) const {
 }
 
 void Dynamics::release_from_rest(Mode &mode, double t, State &y) const {
-  settle(mode, t, y);
+  update_mode(mode, t, y);
   if (mode.support == Support::stuck) {
     mode.e0 = hold(mode, t, y).direction;
     mode.support = Support::sliding;
@@ -174,7 +174,7 @@ double Dynamics::land(Mode &mode, double t, State &y) const {
   y[iVX] = v[0], y[iVY] = v[1], y[iVZ] = v[2], y[iZ] = p.z;
   if (!bounces) {
     mode.support = Support::sliding;
-    settle(mode, t, y);
+    update_mode(mode, t, y);
   }
   return mass / 2 * (vn * vn - rebound * rebound);
 }
@@ -231,7 +231,7 @@ double Dynamics::apply(Event event, Mode &mode, double t, State &y) const {
   case Event::target:
     return 0;
   }
-  settle(mode, t, y);
+  update_mode(mode, t, y);
   return 0;
 }
 
@@ -250,7 +250,7 @@ Mode Dynamics::starting_mode(const BearingState &start, State &y) const {
     mode.rim =
         rim.law->unilateral && rim_push(mode, start.t, u, v).trial <= 0 ? RimContact::relaxed : RimContact::pressed;
   mode.support = start.airborne && reading == NormalForce::inertia ? Support::airborne : Support::sliding;
-  settle(mode, start.t, y);
+  update_mode(mode, start.t, y);
   return mode;
 }
 

@@ -117,7 +117,7 @@ std::string text_in(const nlohmann::json &summary, const char *key, const std::s
 
 void refuse_word(const std::string &word, const std::vector<std::string> &known, const char *key,
                  const std::string &folder) {
-  throw DataError(fmt::format("{}/summary.json: {} {}", folder, key, not_among(word, known)));
+  throw DataError(fmt::format("{}/summary.json: {} {}", folder, key, unknown_word(word, known)));
 }
 
 KeptRun kept_run(const std::string &folder, const scene::Scene &scene, const std::string &program) {

@@ -90,7 +90,7 @@ Bearing builtin_bearing(const std::string &name) {
       bearing.assumed = catalogue_marks();
       return bearing;
     }
-  throw InputError("bearing " + not_among(name, builtin_bearing_names()));
+  throw InputError("bearing " + unknown_word(name, builtin_bearing_names()));
 }
 
 } // namespace rimpact::scene

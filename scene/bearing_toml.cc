@@ -146,7 +146,8 @@ Bearing load_bearing(const std::string &where) {
   std::error_code ignored;
   if (!fs::exists(where, ignored)) {
     refuse_isolator(where);
-    throw InputError(fmt::format("{}: no such file, and bearing {}", where, not_among(where, builtin_bearing_names())));
+    throw InputError(
+        fmt::format("{}: no such file, and bearing {}", where, unknown_word(where, builtin_bearing_names())));
   }
   return parse_bearing(read_named_file(where), where, false);
 }

@@ -62,7 +62,7 @@ constexpr std::array isolators{
 const IsolatorEntry &named_isolator(const std::string &name) {
   for (const auto &entry : isolators)
     if (name == entry.name) return entry;
-  throw InputError("isolator " + not_among(name, builtin_isolator_names()));
+  throw InputError("isolator " + unknown_word(name, builtin_isolator_names()));
 }
 
 } // namespace

@@ -192,7 +192,7 @@ std::string builtin_scene_text(const std::string &name) {
   if (const auto *scene = find_builtin_scene(name)) return scene->text;
   const auto bearings = builtin_bearing_names();
   if (std::find(bearings.begin(), bearings.end(), name) != bearings.end()) return to_toml(builtin_bearing(name));
-  throw InputError("scene " + not_among(name, builtin_scene_names()));
+  throw InputError("scene " + unknown_word(name, builtin_scene_names()));
 }
 
 } // namespace rimpact::scene

@@ -141,7 +141,7 @@ Scene parse_scene(const std::string &text, const std::string &origin, const std:
   if (!scene.reduced.impact_curve.empty()) make_absolute(scene.reduced.impact_curve, folder);
   if (scene.model.own_mesh.any()) make_absolute(scene.model.own_mesh.file, folder);
   set_dependent_defaults(file, has_own_bearing(file), scene);
-  if (taken.bearings_slip) settle_elastic_slip(scene);
+  if (taken.bearings_slip) resolve_elastic_slip(scene);
   scene.isolator_remark = unread_keys(file, scene, UnreadPart::isolator);
   scene.springs_remark = unread_keys(file, scene, UnreadPart::springs);
   for (const auto &remark : {unread_keys(file, scene, UnreadPart::scene), scene.isolator_remark, scene.springs_remark})
@@ -185,7 +185,7 @@ Scene load_scene(const std::string &where, const std::vector<std::string> &overr
   if (!fs::exists(path, ignored)) {
     refuse_isolator(where);
     throw InputError(
-        fmt::format("{}: no such file, and scene {}", path.string(), not_among(where, builtin_scene_names())));
+        fmt::format("{}: no such file, and scene {}", path.string(), unknown_word(where, builtin_scene_names())));
   }
   return parse_scene(read_named_file(path.string()), path.string(), overrides, path.parent_path().string());
 }

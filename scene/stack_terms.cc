@@ -60,7 +60,7 @@ void leave_out_what_does_not_fit(Scene &scene) {
   }
 }
 
-void settle_elastic_slip(Scene &scene) {
+void resolve_elastic_slip(Scene &scene) {
   constexpr double rounding = 1e-6; // of a number that a calibration wrote
   const double slip = pad_elastic_slip(scene.bearing, scene.load.vertical, scene.reduced.mu_fast);
   if (slip > 0 && std::abs(slip / scene.reduced.elastic_slip - 1) > rounding) scene.reduced.elastic_slip = slip;

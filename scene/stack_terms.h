@@ -44,6 +44,6 @@ TakenTerms adopt_stack_terms(TomlFile &file, const StackTerms &terms, bool calib
 /// After reading: terms that were taken are left out, with a remark, where the bearing's pad and foot do not fit it.
 void leave_out_what_does_not_fit(Scene &scene);
 /// After the load is known: an elastic slip that was taken becomes that of this bearing under this load.
-void settle_elastic_slip(Scene &scene);
+void resolve_elastic_slip(Scene &scene);
 
 } // namespace rimpact::scene

@@ -75,7 +75,7 @@ const std::vector<std::string> &grade_names() {
 const SteelGrade &steel_grade(const std::string &name) {
   const auto &grades = steel_grades();
   const auto found = std::find_if(grades.begin(), grades.end(), [&](const auto &grade) { return grade.name == name; });
-  if (found == grades.end()) throw InputError("grade " + not_among(name, grade_names()));
+  if (found == grades.end()) throw InputError("grade " + unknown_word(name, grade_names()));
   return *found;
 }
 

@@ -42,7 +42,7 @@ std::string explain(const CLI::App &app, const CLI::ParseError &error, int argc,
     if (each->parsed()) verb = each;
   }
   if (!verb && argc > 1 && argv[1][0] != '-')
-    return fmt::format("verb {} (see rimpact --help)", not_among(argv[1], verbs));
+    return fmt::format("verb {} (see rimpact --help)", unknown_word(argv[1], verbs));
   const std::string help = verb ? fmt::format("rimpact {} --help", verb->get_name()) : "rimpact --help";
   if (verb && dynamic_cast<const CLI::ExtrasError *>(&error)) {
     for (const auto *option : verb->get_options())

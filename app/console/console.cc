@@ -75,7 +75,7 @@ void Console::warn_of(scene::Scene &scene) {
   for (const auto &doubt : scene::doubts(scene, !load_is_shared)) warn(doubt);
 }
 
-void Console::tell_first_run(scene::Scene scene) {
+void Console::report_first_run(scene::Scene scene) {
   message("first run:\n" + scene::describe_case(scene, !load_is_shared));
   warn_of(scene);
   for (const auto &doubt : scene::doubts_of_element(scene)) warn(doubt);

@@ -34,7 +34,7 @@ public:
   /// The scene with its settings; warns of what it allows but doubts.
   scene::Scene load(const std::string &given);
   /// What the first of many runs is, and what to doubt of it.
-  void tell_first_run(scene::Scene scene);
+  void report_first_run(scene::Scene scene);
 
   void add_common(CLI::App &verb);    ///< --quiet, --verbose
   void add_json(CLI::App &verb);      ///< --json

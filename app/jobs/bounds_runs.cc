@@ -1,5 +1,5 @@
 #include "app/jobs/bounds_runs.h"
-#include "app/console/sibling.h"
+#include "app/console/child_process.h"
 #include "io/files/file.h"
 #include "io/files/json_text.h"
 #include <algorithm>

@@ -1,8 +1,8 @@
 #include "app/jobs/curve_jobs.h"
 
+#include "app/console/child_process.h"
 #include "app/console/interrupts.h"
 #include "app/console/progress.h"
-#include "app/console/sibling.h"
 #include "app/jobs/fe_processes.h"
 #include "fe_contact/planning/plan.h"
 #include "io/files/file.h"

@@ -1,6 +1,6 @@
 #include "app/jobs/fe_processes.h"
 
-#include "app/console/sibling.h"
+#include "app/console/child_process.h"
 #include "io/files/error.h"
 #include <csignal>
 #include <cstring>

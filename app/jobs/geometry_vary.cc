@@ -1,7 +1,7 @@
 #include "app/jobs/geometry_vary.h"
 
+#include "app/console/child_process.h"
 #include "app/console/interrupts.h"
-#include "app/console/sibling.h"
 #include "app/jobs/folder_claim.h"
 #include "app/jobs/geometry_target.h"
 #include "app/jobs/job_runner.h"

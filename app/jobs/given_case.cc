@@ -77,7 +77,7 @@ Source source_of(const std::string &where) {
   scene::refuse_isolator(where);
   auto names = scene::builtin_bearing_names();
   for (auto &name : scene::builtin_scene_names()) names.push_back(name);
-  throw InputError(fmt::format("{}: no such file, and bearing or scene {}", path.string(), not_among(where, names)));
+  throw InputError(fmt::format("{}: no such file, and bearing or scene {}", path.string(), unknown_word(where, names)));
 }
 
 std::string origin_of(const TomlFile &file, const std::string &key, const char *otherwise) {

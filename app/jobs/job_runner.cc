@@ -1,7 +1,7 @@
 #include "app/jobs/job_runner.h"
 
+#include "app/console/child_process.h"
 #include "app/console/interrupts.h"
-#include "app/console/sibling.h"
 #include "app/jobs/fe_processes.h"
 #include "io/files/file.h"
 #include "responses/kept_run.h"

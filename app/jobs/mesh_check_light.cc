@@ -1,10 +1,10 @@
-#include "app/console/sibling.h"
+#include "app/console/child_process.h"
 #include "app/jobs/mesh_check.h"
 
 namespace rimpact::app {
 
 MeshCheck check_own_mesh(const scene::Scene &, const planning::Plan &, const Console &console) {
-  become_fe({console.argv + 1, console.argv + console.argc});
+  exec_fe({console.argv + 1, console.argv + console.argc});
 }
 
 } // namespace rimpact::app

@@ -1,5 +1,5 @@
 #include "app/jobs/motion_choice.h"
-#include "app/console/sibling.h"
+#include "app/console/child_process.h"
 #include "io/files/error.h"
 #include "io/files/file.h"
 #include "io/files/json_text.h"

@@ -1,5 +1,5 @@
 #include "app/jobs/motion_spectrum.h"
-#include "app/console/sibling.h"
+#include "app/console/child_process.h"
 #include "io/files/file.h"
 #include "io/files/table.h"
 #include "io/files/table_csv.h"

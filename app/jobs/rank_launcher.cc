@@ -1,6 +1,6 @@
 #include "app/jobs/rank_launcher.h"
 
-#include "app/console/sibling.h"
+#include "app/console/child_process.h"
 #include "app/words/run_words.h"
 #include "io/files/error.h"
 #include "io/files/text.h"

@@ -1,8 +1,8 @@
 #include "app/jobs/sweep_runs.h"
 
+#include "app/console/child_process.h"
 #include "app/console/interrupts.h"
 #include "app/console/progress.h"
-#include "app/console/sibling.h"
 #include "app/jobs/shard.h"
 #include "app/words/slurm_scripts.h"
 #include "io/files/json_text.h"
@@ -122,7 +122,7 @@ void sweep_runs(const SweepOptions &options, const SweepPlace &place, const flee
     line.show(fmt::format("{} of {} runs, {} without a result, {}, about {} to go", p.done, p.total, p.failed,
                           duration(p.seconds), duration(p.seconds_left)));
   };
-  fleet.first = [&](const scene::Scene &scene) { console.tell_first_run(scene); };
+  fleet.first = [&](const scene::Scene &scene) { console.report_first_run(scene); };
   watch_interrupts();
   const auto result = fleets::run_fleet(place.scene, console.settings(), sweep, fleet, model);
   line.finish();

@@ -59,7 +59,7 @@ double speed_of(const std::vector<std::string> &words) {
   constexpr double least = 0.01, most = 10; // [m/s]
   const auto at = values_of(words, "--at");
   for (const auto &[name, value] : at)
-    if (name != "speed") throw InputError("--at " + not_among(name, {"speed"}));
+    if (name != "speed") throw InputError("--at " + unknown_word(name, {"speed"}));
   if (at.empty()) throw InputError("--vary asks at one speed of approach: give it, as --at speed=0.8 (m/s)");
   const double speed = at.at("speed");
   if (!(speed >= least && speed <= most))
@@ -72,7 +72,7 @@ std::map<std::string, double> targets_of(const std::vector<std::string> &words) 
   for (const auto &[name, most] : targets) {
     const auto &known = calibration::vary_outputs();
     if (std::find(known.begin(), known.end(), name) == known.end())
-      throw InputError("--target " + not_among(name, known));
+      throw InputError("--target " + unknown_word(name, known));
     if (!(most > 0 && std::isfinite(most))) throw InputError(fmt::format("--target {}={:g} must be > 0", name, most));
   }
   return targets;

@@ -29,7 +29,7 @@ calibration::Uncertainty uncertainty_of(const std::vector<std::string> &words) {
   for (const auto &[name, value] : values_of(words, "--sigma")) {
     const auto found = known.find(name);
     if (found == known.end())
-      throw InputError("--sigma " + not_among(name, {"force", "displacement", "speed", "gain", "time_ms"}));
+      throw InputError("--sigma " + unknown_word(name, {"force", "displacement", "speed", "gain", "time_ms"}));
     *found->second = value;
     if (name == "force" && u.gain == 0) u.gain = value; // of a measured record: one error common to all of it
   }

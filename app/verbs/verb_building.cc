@@ -1,5 +1,5 @@
 // rimpact building SCENE: a building on bearings, one under each of its columns, moved as the scene says.
-#include "app/console/sibling.h"
+#include "app/console/child_process.h"
 #include "app/jobs/bounds_runs.h"
 #include "app/jobs/folder_claim.h"
 #include "app/jobs/sweep_runs.h"

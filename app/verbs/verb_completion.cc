@@ -1,5 +1,5 @@
 // rimpact completion SHELL: what a shell needs to complete the command's words.
-#include "app/console/sibling.h"
+#include "app/console/child_process.h"
 #include "app/verbs/catalogue.h"
 #include "app/words/completion_scripts.h"
 #include "io/files/file.h"
@@ -38,7 +38,7 @@ std::vector<VerbWords> tree_of(const nlohmann::json &list) {
 
 /// The finite-element program's own tree; nothing where it was not built.
 std::vector<VerbWords> sibling_tree() {
-  const std::string program = sibling("rimpact-fe");
+  const std::string program = program_beside("rimpact-fe");
   if (access(program.c_str(), X_OK) != 0) return {};
   const std::string kept = (std::filesystem::temp_directory_path() / fmt::format("rimpact-tree-{}", getpid())).string();
   const int code = poll(start({.command = {program, "completion", "json"}, .output = kept}), true);

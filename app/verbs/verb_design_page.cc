@@ -1,5 +1,5 @@
 // rimpact design-page DIR: one page with sliders over the rims that `geometry --vary` has pushed.
-#include "app/console/sibling.h"
+#include "app/console/child_process.h"
 #include "app/verbs/catalogue.h"
 #include <filesystem>
 #include <fmt/format.h>

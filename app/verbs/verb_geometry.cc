@@ -1,7 +1,7 @@
 // rimpact geometry: k_i, e, peak force and plastic strain over rim and slider dimensions, yield stress and
 // speed.
+#include "app/console/child_process.h"
 #include "app/console/interrupts.h"
-#include "app/console/sibling.h"
 #include "app/jobs/folder_claim.h"
 #include "app/jobs/geometry_target.h"
 #include "app/jobs/geometry_vary.h"

@@ -1,6 +1,6 @@
 // rimpact main: from a bearing to its impact law, with a report.
+#include "app/console/child_process.h"
 #include "app/console/interrupts.h"
-#include "app/console/sibling.h"
 #include "app/jobs/early_answer.h"
 #include "app/jobs/folder_claim.h"
 #include "app/jobs/job_runner.h"

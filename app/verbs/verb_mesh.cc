@@ -1,5 +1,5 @@
 // rimpact mesh BEARING -o FILE.msh, or of a scene's run
-#include "app/console/sibling.h"
+#include "app/console/child_process.h"
 #include "app/jobs/given_case.h"
 #include "app/jobs/mesh_check.h"
 #include "app/verbs/catalogue.h"

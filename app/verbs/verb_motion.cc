@@ -1,5 +1,5 @@
 // rimpact motion FILE|FOLDER...: what is in records.
-#include "app/console/sibling.h"
+#include "app/console/child_process.h"
 #include "app/jobs/motion_choice.h"
 #include "app/jobs/motion_spectrum.h"
 #include "app/verbs/catalogue.h"

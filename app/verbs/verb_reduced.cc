@@ -1,5 +1,5 @@
 // rimpact reduced SCENE: a scene by the reduced model, or a fleet of them (--sweep).
-#include "app/console/sibling.h"
+#include "app/console/child_process.h"
 #include "app/jobs/bounds_runs.h"
 #include "app/jobs/folder_claim.h"
 #include "app/jobs/sweep_runs.h"

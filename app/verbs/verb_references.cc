@@ -1,6 +1,6 @@
 // rimpact references: the finite-element references that are kept with the program, made again and held against what is
 // kept.
-#include "app/console/sibling.h"
+#include "app/console/child_process.h"
 #include "app/verbs/catalogue.h"
 
 namespace rimpact::app {
@@ -13,7 +13,8 @@ struct ReferencesOptions {
 };
 
 void run_references(const ReferencesOptions &options, Console &console) {
-  std::vector<std::string> words{"report.references", "--program=" + sibling("rimpact"), "--output=" + options.folder};
+  std::vector<std::string> words{"report.references", "--program=" + program_beside("rimpact"),
+                                 "--output=" + options.folder};
   if (options.list) words.emplace_back("--list");
   if (console.json) words.emplace_back("--json");
   if (console.quiet) words.emplace_back("--quiet");

@@ -1,8 +1,8 @@
 // rimpact reliability STUDY: fleets of systems under records of every level, fragility, hazard, probability, report.
+#include "app/console/child_process.h"
 #include "app/console/interrupts.h"
 #include "app/console/memory.h"
 #include "app/console/progress.h"
-#include "app/console/sibling.h"
 #include "app/jobs/shard.h"
 #include "app/verbs/catalogue.h"
 #include "app/words/slurm_scripts.h"
@@ -63,7 +63,7 @@ risk::CampaignResult run_fleets(const ReliabilityOptions &options, const risk::S
                           p.n_systems, p.runs.done, p.runs.total, p.runs.failed, duration(p.seconds),
                           duration(p.seconds_left)));
   };
-  campaign.first = [&](const scene::Scene &scene) { console.tell_first_run(scene); };
+  campaign.first = [&](const scene::Scene &scene) { console.report_first_run(scene); };
   watch_interrupts();
   return risk::run_campaign(study, systems, motions, campaign);
 }

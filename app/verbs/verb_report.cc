@@ -1,5 +1,5 @@
 // rimpact report DIR: one self-contained HTML file whose first page can be sent, and a PDF of it.
-#include "app/console/sibling.h"
+#include "app/console/child_process.h"
 #include "app/verbs/catalogue.h"
 #include "calibration/data/measured_name.h"
 #include <filesystem>

@@ -1,8 +1,8 @@
 // rimpact run SCENE: a scene by finite elements.
+#include "app/console/child_process.h"
 #include "app/console/interrupts.h"
 #include "app/console/memory.h"
 #include "app/console/progress.h"
-#include "app/console/sibling.h"
 #include "app/jobs/folder_claim.h"
 #include "app/verbs/catalogue.h"
 #include "app/verbs/fe_verb_texts.h"

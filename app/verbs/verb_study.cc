@@ -1,6 +1,6 @@
 // rimpact study SCENE: the same scene with cheaper and dearer settings, speed against error.
+#include "app/console/child_process.h"
 #include "app/console/interrupts.h"
-#include "app/console/sibling.h"
 #include "app/jobs/folder_claim.h"
 #include "app/jobs/job_runner.h"
 #include "app/jobs/main_target.h"

@@ -1,5 +1,5 @@
 // rimpact thesis: a figure or table of the thesis by its number, made by this program's own verbs and drawn beside it.
-#include "app/console/sibling.h"
+#include "app/console/child_process.h"
 #include "app/verbs/catalogue.h"
 
 namespace rimpact::app {
@@ -11,7 +11,8 @@ struct ThesisOptions {
 };
 
 std::vector<std::string> command(const ThesisOptions &options, const Console &console) {
-  std::vector<std::string> words{"report.thesis", "--program=" + sibling("rimpact"), "--output=" + options.folder};
+  std::vector<std::string> words{"report.thesis", "--program=" + program_beside("rimpact"),
+                                 "--output=" + options.folder};
   if (!options.records.empty()) words.push_back("--records=" + options.records);
   if (options.cheap) words.emplace_back("--cheap");
   if (console.json) words.emplace_back("--json");

@@ -69,7 +69,8 @@ std::vector<FigureLimit> limits_of(const std::vector<std::string> &words) {
   for (const auto &figure : compared_figures()) known.emplace_back(figure.name);
   std::vector<FigureLimit> limits;
   for (const auto &[name, most] : given) {
-    if (std::find(known.begin(), known.end(), name) == known.end()) throw InputError("--max " + not_among(name, known));
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      throw InputError("--max " + unknown_word(name, known));
     if (!(most >= 0 && most <= largest_limit))
       throw InputError(fmt::format("--max {}={:g} must be from 0 to {:g}", name, most, largest_limit));
   }

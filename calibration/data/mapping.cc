@@ -39,7 +39,7 @@ std::vector<Column> read_columns(const TomlFile &toml, const std::string &path) 
                                    [&](const auto &s) { return s.name == column.signal; });
     if (info == known_signals().end())
       throw InputError(
-          fmt::format("{}: columns.{}", toml.location("columns." + column.signal), not_among(column.signal, known)));
+          fmt::format("{}: columns.{}", toml.location("columns." + column.signal), unknown_word(column.signal, known)));
     TomlReader reader(toml, "columns." + column.signal);
     visit(reader, column);
     reader.finish();

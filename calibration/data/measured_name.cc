@@ -36,7 +36,7 @@ TestPart named_part(const Mapping &mapping, const MeasuredName &name, const std:
   const std::string wanted = name.test.empty() ? tests.front() : name.test;
   if (tests.empty()) throw InputError(fmt::format("{} is one test: nothing follows its name (#{})", name.file, wanted));
   if (std::find(tests.begin(), tests.end(), wanted) == tests.end())
-    throw InputError(fmt::format("{}: test {}", name.file, not_among(wanted, tests)));
+    throw InputError(fmt::format("{}: test {}", name.file, unknown_word(wanted, tests)));
   TestPart part = listed(wanted) == mapping.tests.end() ? mapping.whole : *listed(wanted);
   part.name = wanted;
   return part;

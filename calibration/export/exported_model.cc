@@ -91,7 +91,7 @@ void take_stack(scene::Scene &scene, const nlohmann::json &answer) {
   r.friction = parse<scene::Friction>(stack->value("friction", "")).value_or(r.friction);
   r.elastic_slip = stack->value("elastic_slip_mm", 1e3 * r.elastic_slip) / 1e3;
   const auto from = parse<scene::SlipFrom>(stack->value("elastic_slip_from", ""));
-  if (from.value_or(scene::SlipFrom::bearing) == scene::SlipFrom::bearing) scene::settle_elastic_slip(scene);
+  if (from.value_or(scene::SlipFrom::bearing) == scene::SlipFrom::bearing) scene::resolve_elastic_slip(scene);
   scene::leave_out_what_does_not_fit(scene);
 }
 

@@ -17,7 +17,7 @@ constexpr double same_minimum = 1e-3;
 constexpr double audible = 1e-3;
 
 /// The channel's gain, where its error was fitted.
-std::optional<ChannelGain> gain_of(const Problem &problem, const Ending &end, const Spread &spread) {
+std::optional<ChannelGain> gain_of(const Problem &problem, const Ending &end, const Covariance &spread) {
   if (!problem.fits_gain()) return {};
   double stated = 0; // the largest; records of one channel state the same
   for (const auto &block : problem.blocks()) stated = std::max(stated, block->gain_error());
@@ -63,7 +63,7 @@ FitResult result_of(const Problem &problem, const std::vector<Ending> &endings, 
   result.converged = best->converged;
   for (const auto &e : endings)
     if (e.usable && (e.x - best->x).cwiseAbs().maxCoeff() < same_minimum) ++result.n_starts_agreeing;
-  const Spread spread = spread_at(problem, best->x, best->nuisance, options.robust_scale);
+  const Covariance spread = covariance_at(problem, best->x, best->nuisance, options.robust_scale);
   result.counting = options.counting;
   result.within_noise = spread.within_noise;
   judge(problem, best->x, spread, result);
@@ -105,7 +105,7 @@ bool noisy_alone(const std::vector<const StoredRun *> &runs) {
 std::optional<FitResult> by_sample(const std::vector<const StoredRun *> &runs, FitOptions options,
                                    const FitResult &by_curve) {
   for (const auto &name : options.parameters) options.start[name] = by_curve.parameters.at(name).value;
-  options.counting = Counting::sample;
+  options.counting = SampleWeighting::sample;
   options.n_starts = 0;
   options.robust_scale = 0; // a sum over hundreds of samples is no outlier
   try {
@@ -125,8 +125,8 @@ FitResult fit(const std::vector<const StoredRun *> &runs, const FitOptions &give
   FitOptions options = given;
   if (options.law.empty() && !runs.empty()) options.law = runs.front()->scene.reduced.impact_law->name;
   options.validate();
-  if (options.counting == Counting::automatic) {
-    options.counting = Counting::curve;
+  if (options.counting == SampleWeighting::automatic) {
+    options.counting = SampleWeighting::curve;
     const FitResult by_curve = fit_once(runs, options);
     if (!noisy_alone(runs)) return by_curve;
     return by_sample(runs, options, by_curve).value_or(by_curve);
@@ -145,7 +145,7 @@ std::vector<double> profile(const std::vector<const StoredRun *> &runs, const Fi
   others.bounds.erase(name);
   others.start.clear();
   others.counting = best.counting;
-  if (best.counting == Counting::sample) others.robust_scale = 0;
+  if (best.counting == SampleWeighting::sample) others.robust_scale = 0;
   others.n_starts = 0;
   for (const auto &other : others.parameters) others.start[other] = best.parameters.at(other).value;
   std::vector<double> costs;

@@ -25,11 +25,11 @@ namespace rimpact::calibration {
 /// What the data say of a parameter.
 enum class Verdict {
   determined,
-  grazing, ///< every impact only grazes the rim
-  bound,   ///< it ended at one of its bounds
-  flat,    ///< the data leave it open
-  noise,   ///< the record's noise hides it
-  form     ///< determined, but the law does not follow the data
+  grazing,     ///< every impact only grazes the rim
+  bound,       ///< it ended at one of its bounds
+  flat,        ///< the data leave it open
+  noise,       ///< the record's noise hides it
+  model_misfit ///< determined, but the law does not follow the data
 };
 constexpr auto choices(Verdict) {
   using enum Verdict;
@@ -38,7 +38,7 @@ constexpr auto choices(Verdict) {
                               {bound, "bound"},
                               {flat, "flat"},
                               {noise, "noise"},
-                              {form, "form"}});
+                              {model_misfit, "form"}});
 }
 
 struct Estimate {
@@ -71,9 +71,9 @@ struct FitResult {
   int n_evaluations = 0;
   std::optional<ChannelGain> gain; ///< where a record states an error of it
   bool converged = false;
-  bool within_noise = false;           ///< the law follows every measured impact within its noise
-  Counting counting = Counting::curve; ///< of measured impacts, never automatic
-  std::string message;                 ///< how it ended
+  bool within_noise = false;                         ///< the law follows every measured impact within its noise
+  SampleWeighting counting = SampleWeighting::curve; ///< of measured impacts, never automatic
+  std::string message;                               ///< how it ended
   std::vector<std::string> notes;
 };
 

@@ -13,7 +13,7 @@ struct Weights {
   double force = 1, displacement = 1, rebound = 3, peak = 3, flight = 1;
 };
 /// How the samples of a measured impact count.
-enum class Counting {
+enum class SampleWeighting {
   automatic, ///< by sample where the law follows every measured impact within its noise, else by curve
   curve,     ///< each curve is one observation with a stated uncertainty, widened by its noise; peak and rebound before
              ///< shapes
@@ -37,7 +37,7 @@ struct FitOptions {
   int max_iterations = 60;
   double tolerance = 1e-7;   ///< relative change of the cost at which a search ends, 0..0.01
   bool keep_grazing = false; ///< fit grazing impacts beside others too
-  Counting counting = Counting::automatic;
+  SampleWeighting counting = SampleWeighting::automatic;
   Uncertainty uncertainty;
   Weights weights;
   void validate() const; ///< throws InputError naming option, value and bound

@@ -24,7 +24,7 @@ struct Judgement {
   std::string reason, note;
 };
 
-Judgement judgement(const Problem &problem, int i, const Spread &spread, const Estimate &e, double half) {
+Judgement judgement(const Problem &problem, int i, const Covariance &spread, const Estimate &e, double half) {
   const Parameter &p = problem.parameter(i);
   const double size = problem.size(i, e.value), wide = half * e.standard_error, stated = half * e.stated_error;
   const bool low =
@@ -51,11 +51,11 @@ Judgement judgement(const Problem &problem, int i, const Spread &spread, const E
       fmt::format("the data alone leave +-{:.1f} % of it open, but the law does not follow them, so "
                   "the 95 % interval is +-{:.0f} %",
                   100 * stated / size, 100 * wide / size);
-  if (wide > size) return {Verdict::form, says, {}}; // an interval that reaches zero tells nothing
-  return {Verdict::form, {}, fmt::format("{} is determined: {}", p.name, says)};
+  if (wide > size) return {Verdict::model_misfit, says, {}}; // an interval that reaches zero tells nothing
+  return {Verdict::model_misfit, {}, fmt::format("{} is determined: {}", p.name, says)};
 }
 
-Estimate estimate_of(const Problem &problem, int i, double x, const Spread &spread, double half) {
+Estimate estimate_of(const Problem &problem, int i, double x, const Covariance &spread, double half) {
   const Parameter &p = problem.parameter(i);
   const double sd = std::sqrt(spread.covariance(i, i)), value = problem.to_reported(i, x);
   Estimate estimate;
@@ -72,7 +72,7 @@ Estimate estimate_of(const Problem &problem, int i, double x, const Spread &spre
 
 } // namespace
 
-void judge(const Problem &problem, const Eigen::VectorXd &x, const Spread &spread, FitResult &result) {
+void judge(const Problem &problem, const Eigen::VectorXd &x, const Covariance &spread, FitResult &result) {
   const int n = problem.n_parameters();
   result.condition = spread.condition;
   for (int i = 0; i < n; ++i) {

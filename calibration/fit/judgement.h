@@ -5,6 +5,6 @@
 namespace rimpact::calibration {
 
 /// Fills parameters, correlation and condition of `result` from a solution; decides what is identifiable.
-void judge(const Problem &problem, const Eigen::VectorXd &x, const Spread &spread, FitResult &result);
+void judge(const Problem &problem, const Eigen::VectorXd &x, const Covariance &spread, FitResult &result);
 
 } // namespace rimpact::calibration

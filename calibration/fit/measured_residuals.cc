@@ -23,7 +23,7 @@ public:
     slope_ = model.height(window.start.u.x(), window.start.u.y()).gradient;
     n_pressed_ = static_cast<int>(m_.pressed_last - m_.pressed_first) + 1;
     n_travelled_ = static_cast<int>(window.times.size() - m_.flown);
-    if (options.counting == Counting::sample)
+    if (options.counting == SampleWeighting::sample)
       count_samples();
     else
       count_curves(run, u, options.weights);

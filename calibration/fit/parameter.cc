@@ -62,7 +62,7 @@ const Parameter &parameter(const std::string &name) {
     if (p.name == name) return p;
     known.push_back(p.name);
   }
-  throw InputError("parameter to fit: " + not_among(name, known));
+  throw InputError("parameter to fit: " + unknown_word(name, known));
 }
 
 std::string unit_behind(const std::string &unit) {

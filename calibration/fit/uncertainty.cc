@@ -144,10 +144,11 @@ Eigen::MatrixXd normal_matrix(const std::vector<Linearised> &parts) {
 
 } // namespace
 
-Spread spread_at(const Problem &problem, const Eigen::VectorXd &x, const Nuisance &nuisance, double robust_scale) {
+Covariance covariance_at(const Problem &problem, const Eigen::VectorXd &x, const Nuisance &nuisance,
+                         double robust_scale) {
   const int n = problem.n_unknowns();
   constexpr double unknown = std::numeric_limits<double>::infinity();
-  Spread spread;
+  Covariance spread;
   std::vector<Linearised> parts;
   for (std::size_t k = 0; k < problem.blocks().size(); ++k) {
     parts.push_back(linearised(problem, *problem.blocks()[k], x, nuisance[k], robust_scale));

@@ -6,7 +6,7 @@ namespace rimpact::calibration {
 
 /// Of all unknowns (Problem). One that ended at a bound is held there: the others are judged as if it were given, and
 /// its own variance is that of a fit which lets it go; infinite where that tells nothing.
-struct Spread {
+struct Covariance {
   std::vector<bool> free;            ///< not held at a bound
   Eigen::MatrixXd stated_covariance; ///< the same from the stated uncertainties alone: what the data could tell
   Eigen::MatrixXd covariance;        ///< of the fitted variables
@@ -20,6 +20,7 @@ using Nuisance = std::vector<Eigen::VectorXd>;
 
 /// At the solution; `robust_scale` as in FitOptions. What the blocks' own unknowns can follow is projected out of their
 /// Jacobians, so their errors are in the covariance. Throws std::logic_error when the solution cannot be evaluated.
-Spread spread_at(const Problem &problem, const Eigen::VectorXd &x, const Nuisance &nuisance, double robust_scale);
+Covariance covariance_at(const Problem &problem, const Eigen::VectorXd &x, const Nuisance &nuisance,
+                         double robust_scale);
 
 } // namespace rimpact::calibration

@@ -124,7 +124,7 @@ std::optional<PairRange> pair_range(const Runs &given, const FitOptions &options
   FitOptions own = options_for(law, options);
   own.weights = {.force = 0, .displacement = 0}; // a pair is judged by peak force and rebound
   own.n_starts = 1;                              // of two numbers, read off the hardest impact
-  own.counting = Counting::curve;                // by sample these two are in the curves, which are left out
+  own.counting = SampleWeighting::curve;         // by sample these two are in the curves, which are left out
   if (own.parameters.size() < 2) return {};      // held by the caller: not a pair to find
   const std::vector<Set> sets = neighbouring_sets(runs);
   std::vector<std::optional<PairRange>> ranges(sets.size());

@@ -76,7 +76,8 @@ void GeometryOptions::validate() const {
   std::vector<std::string> known;
   for (const auto &axis : geometry_axes()) known.push_back(axis.name);
   for (const auto &[name, range] : ranges) {
-    if (std::find(known.begin(), known.end(), name) == known.end()) throw InputError("range " + not_among(name, known));
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      throw InputError("range " + unknown_word(name, known));
     if (!(range.lower > 0 && range.lower < range.upper))
       throw InputError(fmt::format("range of {}: {:g}:{:g} must be 0 < LOW < HIGH", name, range.lower, range.upper));
   }

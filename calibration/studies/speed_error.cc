@@ -59,7 +59,7 @@ StudyRun study_run(const std::string &name, const nlohmann::json &summary, Respo
     run.name = name;
     const std::string rung = summary.at("rung");
     const auto solver = parse<SolvedBy>(rung);
-    if (!solver) throw DataError("summary.json of " + name + ": rung " + not_among(rung, words<SolvedBy>()));
+    if (!solver) throw DataError("summary.json of " + name + ": rung " + unknown_word(rung, words<SolvedBy>()));
     run.rung = *solver;
     run.mesh = run.rung == SolvedBy::reduced ? 0 : summary.at("mesh").get<int>();
     run.seconds = summary.at("wall_time_s");

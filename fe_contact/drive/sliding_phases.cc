@@ -67,10 +67,11 @@ void SlidingRun::follow_impact(const SolvedStep &step) {
 }
 
 /// Once, at the first instant without a normal force: the landings that follow are most of the run.
-void SlidingRun::tell_lift() {
+void SlidingRun::report_lift() {
   constexpr double worth_it = 0.5; // left of the scene [s]
-  if (told_lift_ || !options_.remark || forces_of(active(), state_).normal > 0 || end_time() - t_ < worth_it) return;
-  told_lift_ = true;
+  if (reported_lift_ || !options_.remark || forces_of(active(), state_).normal > 0 || end_time() - t_ < worth_it)
+    return;
+  reported_lift_ = true;
   options_.remark(fmt::format(
       "the slider leaves the dish at t = {:.3f} of {:g} s: it lands again every tenth of a second or so, undamped, and "
       "each landing takes about a hundred iterations; a shorter excitation.duration_s ends the run sooner",

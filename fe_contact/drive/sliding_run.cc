@@ -159,7 +159,7 @@ void SlidingRun::follow(const SolvedStep &step) {
   height_before_ = travel().z();
   follow_impact(step);
   sample(step.report.iterations, step.dt);
-  tell_lift();
+  report_lift();
   if (const auto sentence = touching() ? loss_of_balance(record_.ledger, t_) : std::nullopt) {
     save();
     throw SolverStopped(*sentence);

@@ -58,7 +58,7 @@ private:
   void join();
   void part();
   void follow_impact(const SolvedStep &step);
-  void tell_lift();
+  void report_lift();
   Eigen::VectorXd load(double t) const;
   void sample(int iterations, double dt);
   void write_fields();
@@ -83,7 +83,7 @@ private:
   MotionOptions motion_;
   SystemState state_;
   HeldRim held_;
-  bool near_rim_ = false, resting_ = false, told_lift_ = false;
+  bool near_rim_ = false, resting_ = false, reported_lift_ = false;
   double t_ = 0, rest_height_ = 0, rest_elastic_ = 0, rest_plastic_ = 0;
   EnergyScale scale_;
   ImpactFollower impact_;

@@ -1,6 +1,6 @@
 #include "fe_contact/drive/start_on_dish.h"
 
-#include "fe_contact/drive/kept_slide.h"
+#include "fe_contact/drive/cached_preload.h"
 #include "fe_contact/solver/march.h"
 #include "io/files/error.h"
 #include "reduced_models/physical_model.h"
@@ -56,7 +56,7 @@ void StartOnDish::slide(SystemState &state, TopDrive &drive, double from, double
 
 StartOnDish::Start StartOnDish::nearly_there(TopDrive &drive, double to) const {
   constexpr double longest = 0.025; // step [m]
-  const KeptSlide kept(scene_, plan_, options_);
+  const CachedPreload kept(scene_, plan_, options_);
   Start start{system_.at_rest(), 0};
   if (!kept.take(start.first, drive, start.second)) {
     start = at_rest();

@@ -50,7 +50,7 @@ template <Worded E> std::string description(E value) {
   return "unknown"; // a bug: every value has a line
 }
 
-/// The value that is written so; none: it is no word of the table (see `words` and not_among for the error).
+/// The value that is written so; none: it is no word of the table (see `words` and unknown_word for the error).
 template <Worded E> constexpr std::optional<E> parse(std::string_view written) {
   for (const auto &choice : choices(E{}))
     if (written == choice.word) return choice.value;

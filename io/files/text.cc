@@ -79,7 +79,7 @@ std::string hint_at_comma(std::string_view text) {
                      with_point->substr(0, mark) + with_point->substr(mark + 1));
 }
 
-std::vector<std::string> akin(std::string_view name, const std::vector<std::string> &known) {
+std::vector<std::string> words_near(std::string_view name, const std::vector<std::string> &known) {
   std::vector<std::string> found;
   if (name.size() < 2) return found;
   const std::string word = upper(name);
@@ -116,7 +116,7 @@ std::optional<std::string> nearest(std::string_view name, const std::vector<std:
   return best;
 }
 
-std::string not_among(std::string_view name, const std::vector<std::string> &known) {
+std::string unknown_word(std::string_view name, const std::vector<std::string> &known) {
   const auto close = nearest(name, known);
   const std::string hint = close ? fmt::format("; did you mean \"{}\"?", *close) : "";
   const std::string shown(name.substr(0, 80));

@@ -28,8 +28,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b);
 /// The closest of `known` when close enough to be a slip of the pen.
 std::optional<std::string> nearest(std::string_view name, const std::vector<std::string> &known);
 /// Known names that hold `name`, or begin as it does: "mu" is in "mu_fast".
-std::vector<std::string> akin(std::string_view name, const std::vector<std::string> &known);
+std::vector<std::string> words_near(std::string_view name, const std::vector<std::string> &known);
 /// `"spher" is not known; did you mean "sphere"? (known: ellipse, sphere)`
-std::string not_among(std::string_view name, const std::vector<std::string> &known);
+std::string unknown_word(std::string_view name, const std::vector<std::string> &known);
 
 } // namespace rimpact

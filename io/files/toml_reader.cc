@@ -23,7 +23,7 @@ std::string cure(const std::string &name, std::vector<std::string> known) {
   if (const auto close = nearest(name, known)) return fmt::format("; did you mean \"{}\"?", *close);
   std::sort(known.begin(), known.end());
   known.erase(std::unique(known.begin(), known.end()), known.end());
-  const auto related = akin(name, known);
+  const auto related = words_near(name, known);
   if (!related.empty()) return fmt::format("; it has {}", fmt::join(related, ", "));
   return known.empty() ? "" : fmt::format("; known: {}", fmt::join(known, ", "));
 }
@@ -115,7 +115,7 @@ void TomlReader::text(const Key &key, std::string &value) {
 
 void TomlReader::word(const Key &key, std::string &value, const std::vector<std::string> &options) {
   text(key, value);
-  if (std::find(options.begin(), options.end(), value) == options.end()) fail(key.name, not_among(value, options));
+  if (std::find(options.begin(), options.end(), value) == options.end()) fail(key.name, unknown_word(value, options));
 }
 
 void TomlReader::pair(const Key &key, Eigen::Vector2d &value, Range range) {
@@ -166,7 +166,7 @@ void TomlReader::switches(const Key &key, const std::vector<std::pair<std::strin
   for (const auto &entry : *array) {
     if (!entry.is_string()) fail(key.name, "must be an array of words, got " + type_name(entry));
     const auto at = std::find(names.begin(), names.end(), entry.as_string()->get());
-    if (at == names.end()) fail(key.name, not_among(entry.as_string()->get(), names));
+    if (at == names.end()) fail(key.name, unknown_word(entry.as_string()->get(), names));
     *flags[static_cast<std::size_t>(at - names.begin())].second = true;
   }
 }

@@ -55,7 +55,7 @@ SampledSignal builtin_record(const std::string &name) {
     for (std::size_t i = 0; i < n_samples; ++i) record.values[i] = pulse.acceleration(static_cast<double>(i) * step);
     return record;
   }
-  throw InputError("record " + not_among(name, names));
+  throw InputError("record " + unknown_word(name, names));
 }
 
 } // namespace rimpact

@@ -20,7 +20,7 @@ public:
       const auto equals = part.find('=');
       const std::string key(trim(part.substr(0, equals)));
       if (equals == std::string_view::npos) fail(fmt::format("\"{}\" is not KEY=VALUE", part));
-      if (known.count(key) == 0) fail(not_among(key, {known.begin(), known.end()}));
+      if (known.count(key) == 0) fail(unknown_word(key, {known.begin(), known.end()}));
       if (!values_.emplace(key, trim(part.substr(equals + 1))).second) fail(key + " is given twice");
     }
   }
@@ -79,7 +79,7 @@ TargetSpectrum::TargetSpectrum(const std::string &text) {
   else if (name == "en1998")
     read_en1998(TargetKeys(text, {"a_g", "ground", "type", "scale"}));
   else
-    throw InputError(fmt::format("--target {}: {}", text, not_among(name, {"asce7", "en1998"})));
+    throw InputError(fmt::format("--target {}: {}", text, unknown_word(name, {"asce7", "en1998"})));
 }
 
 void TargetSpectrum::read_asce(const TargetKeys &keys) {
@@ -103,7 +103,7 @@ void TargetSpectrum::read_en1998(const TargetKeys &keys) {
       return;
     }
   keys.fail(wanted.empty() ? "ground is missing (A, B, C, D, E)"
-                           : "ground " + not_among(wanted, {"A", "B", "C", "D", "E"}));
+                           : "ground " + unknown_word(wanted, {"A", "B", "C", "D", "E"}));
 }
 
 double TargetSpectrum::asce(double period) const {

@@ -23,7 +23,7 @@ public:
     std::vector<std::string> known = part_names;
     known.insert(known.end(), also.begin(), also.end());
     for (const auto &[name, node] : file_.root())
-      if (std::find(known.begin(), known.end(), name.str()) == known.end()) fail(node, not_among(name.str(), known));
+      if (std::find(known.begin(), known.end(), name.str()) == known.end()) fail(node, unknown_word(name.str(), known));
     read_cases("case", parts_.cases);
     read_cases("device", parts_.devices);
     read_records();
@@ -71,7 +71,8 @@ private:
     };
     const std::string written = text("components");
     const auto components = parse<Components>(written);
-    if (!components) fail(*table->get("components"), "records.components: " + not_among(written, words<Components>()));
+    if (!components)
+      fail(*table->get("components"), "records.components: " + unknown_word(written, words<Components>()));
     double period = 0;
     if (const auto *entry = table->get("sa_period_s")) {
       period = entry->value<double>().value_or(0);

@@ -39,7 +39,7 @@ double SweepToml::number_in(const toml::table &table, const char *name, const st
 void SweepToml::only(const toml::table &table, const std::vector<std::string> &known, const std::string &key) const {
   for (const auto &[name, node] : table)
     if (std::find(known.begin(), known.end(), name.str()) == known.end())
-      fail(node, fmt::format("{}: {}", key, not_among(name.str(), known)));
+      fail(node, fmt::format("{}: {}", key, unknown_word(name.str(), known)));
 }
 
 /// Tables nest by their dots (a.b.c); a leaf is anything else, or a table that says how to make values.

@@ -53,7 +53,7 @@ std::optional<CollapseStudy> read_collapse_study(const TomlFile &file, const std
   const auto limit =
       std::find_if(limits.begin(), limits.end(), [&](const Limit &l) { return l.quantity == study.quantity; });
   if (limit == limits.end())
-    fail("p695", "p695.quantity must be that of a [[limit]]: " + not_among(study.quantity, names));
+    fail("p695", "p695.quantity must be that of a [[limit]]: " + unknown_word(study.quantity, names));
   if (study.limit > 0 && std::find(limit->values.begin(), limit->values.end(), study.limit) == limit->values.end())
     fail("p695.limit", fmt::format("p695.limit {:g} is not among the values of its [[limit]]", study.limit));
   return study;

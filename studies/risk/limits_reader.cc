@@ -26,7 +26,7 @@ public:
       Limit limit{quantity->as_string()->get(), {}};
       const auto &known = quantities();
       if (std::find(known.begin(), known.end(), limit.quantity) == known.end())
-        fail(*quantity, "limit.quantity: " + not_among(limit.quantity, known));
+        fail(*quantity, "limit.quantity: " + unknown_word(limit.quantity, known));
       for (const auto &other : limits)
         if (other.quantity == limit.quantity)
           fail(*quantity, fmt::format("limit: \"{}\" is given twice; put its values into one", limit.quantity));

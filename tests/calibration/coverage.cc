@@ -103,7 +103,7 @@ std::map<std::string, Tally> run_cell(const Cell &cell, int n_seeds, int n_start
     std::optional<FitResult> result;
     try {
       result = fit({&runs[0], &runs[1]}, options);
-      ++counting[result->counting == Counting::sample ? "sample" : "curve"];
+      ++counting[result->counting == SampleWeighting::sample ? "sample" : "curve"];
     } catch (const rimpact::Error &error) {
       ++counting[std::string("failed: ") + error.what()];
     }

@@ -225,7 +225,7 @@ TEST(MeasuredNoise, AGainThatIsOffIsSaidAndFoundWhereItsErrorIsStated) {
   for (const auto &note : run.doubts) said = said || note.find("times the change of momentum") != std::string::npos;
   EXPECT_TRUE(said);
   FitOptions options;
-  options.counting = Counting::curve;
+  options.counting = SampleWeighting::curve;
   const double truth = scene.reduced.k_i / 1e3; // [kN/m]
   const auto without = fit({&run}, options);
   EXPECT_GT(without.parameters.at("k_i").value, 1.03 * truth);
@@ -246,7 +246,7 @@ TEST(MeasuredNoise, AGainThatIsOffIsSaidAndFoundWhereItsErrorIsStated) {
 TEST(MeasuredNoise, AGainOffByMoreThanIsStatedLeavesTheTruthInItsInterval) {
   std::vector<scene::Scene> scenes{window(0.2), window(0.4)};
   for (const double factor : {0.97, 1.03})
-    for (const Counting counting : {Counting::automatic, Counting::curve}) {
+    for (const SampleWeighting counting : {SampleWeighting::automatic, SampleWeighting::curve}) {
       std::vector<StoredRun> runs;
       for (auto &scene : scenes) {
         scene.reduced.impact_law = &laws::impact_law("bilinear");

@@ -55,7 +55,7 @@ TEST(PairRange, IsByDefaultOfALawThatCannotPull) {
 // peaks and rebounds
 TEST(PairRange, IsFoundInMeasuredRecordsToo) {
   FitOptions by_sample;
-  by_sample.counting = Counting::sample;
+  by_sample.counting = SampleWeighting::sample;
   for (const double noise : {0.0, 1e-4, 1e-2}) {
     std::vector<StoredRun> runs;
     for (const double v : {0.15, 0.3, 0.6}) {

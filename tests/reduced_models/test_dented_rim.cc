@@ -123,7 +123,7 @@ DentedRim pressed_along(int n_steps, double from, double to) {
   };
   DentedRim rim;
   for (int k = 0; k < n_steps; ++k) {
-    rim.set_out(double(k) / n_steps, at_instant(double(k) / n_steps));
+    rim.begin_step(double(k) / n_steps, at_instant(double(k) / n_steps));
     rim.arrive(double(k + 1) / n_steps, at_instant(double(k + 1) / n_steps), shape);
   }
   return rim;

@@ -87,7 +87,7 @@ TEST(DoubleConcaveLoop, PastTheFirstRimTheSliderSlidesOnTheOtherDish) {
   int n_checked = 0;
   const double at_touch = std::sin(std::asin(0.10 / b.effective_radius()) + b.edge_angle());
   for (std::size_t i = first; u[i + 1] > u[i]; ++i) {
-    if (u[i] < 0.103) continue; // the rim's spring and the slider settle
+    if (u[i] < 0.103) continue; // the rim's spring and the slider update_mode
     const double alpha = std::asin(at_touch + (u[i] - 0.10) / b.radius);
     ASSERT_NEAR(-F[i] / scene.load.vertical, std::tan(alpha + std::atan(0.066)), 1.5e-3) << u[i];
     ++n_checked;

@@ -1,4 +1,4 @@
-#include "app/console/sibling.h"
+#include "app/console/child_process.h"
 
 #include "io/files/address_space.h"
 #include "io/files/data_folder.h"
@@ -45,17 +45,17 @@ void need_address_space() {
 
 } // namespace
 
-std::string sibling(const std::string &name) {
+std::string program_beside(const std::string &name) {
   if (const char *other = std::getenv("RIMPACT_FE_PROGRAM"); other && name == "rimpact-fe") return other;
   return (std::filesystem::path(program_folder()) / name).string();
 }
 
 bool has_fe_program() {
-  return access(sibling("rimpact-fe").c_str(), X_OK) == 0;
+  return access(program_beside("rimpact-fe").c_str(), X_OK) == 0;
 }
 
 std::string fe_program() {
-  std::string program = sibling("rimpact-fe");
+  std::string program = program_beside("rimpact-fe");
   if (!has_fe_program())
     throw InputError("this rimpact has no finite-element side (" + program +
                      " is missing), as none has from pip; ./run in the source tree builds one with it, and the Debian "
@@ -63,7 +63,7 @@ std::string fe_program() {
   return program;
 }
 
-void become_fe(const std::vector<std::string> &given) {
+void exec_fe(const std::vector<std::string> &given) {
   need_address_space();
   std::vector<std::string> words{fe_program()};
   words.insert(words.end(), given.begin(), given.end());

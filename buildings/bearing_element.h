@@ -20,27 +20,27 @@ struct Stage : reduced::ImplicitStage {
 };
 
 /// Force and moment on the node, and their derivative by its velocity, positions following with Stage::own.
-struct MountForce {
+struct ElementForce {
   Vector6 force;
   Matrix6 tangent;
 };
 
 /// Rates of work taken [W]; `external`: of the ground on the bearing's own bodies.
-struct MountPower {
+struct ElementPower {
   double external = 0, friction = 0, rim = 0, contact = 0;
 };
 
-class Mount {
+class BearingElement {
 public:
-  virtual ~Mount() = default;
+  virtual ~BearingElement() = default;
   /// Rates at the start of a run, and again where a wall's force has jumped.
   virtual void start(double t, const NodeMotion &node, const Eigen::Vector3d &ground) = 0;
   /// A step begins; the node has this acceleration there.
-  virtual void set_out(double, const Vector6 &) {}
+  virtual void begin_step(double, const Vector6 &) {}
   virtual void begin_stage(const Stage &stage) = 0;
   /// At the node's motion and the own unknowns of this iterate, own imbalance taken to first order. `renew` false: by
   /// the tangent of the iterate before, where own corrections have become small.
-  virtual MountForce linearise(const NodeMotion &node, bool renew) = 0;
+  virtual ElementForce linearise(const NodeMotion &node, bool renew) = 0;
   /// Own unknowns follow a correction of the node's velocity; their largest correction [m/s].
   virtual double correct(const Vector6 &node_velocity) = 0;
   virtual void end_stage() = 0;
@@ -53,9 +53,9 @@ public:
   virtual double wall(int stage) const = 0;
   /// Walls at or past zero change, met or left; whether one did.
   virtual bool change_walls() = 0;
-  virtual bool at_wall() const = 0;              ///< whether one is met
-  virtual MountPower power(int stage) const = 0; ///< 0 the step's start, 1 its middle, 2 its end
-  virtual Vector6 force() const = 0;             ///< on the node at the step's end, or after `start`
+  virtual bool at_wall() const = 0;                ///< whether one is met
+  virtual ElementPower power(int stage) const = 0; ///< 0 the step's start, 1 its middle, 2 its end
+  virtual Vector6 force() const = 0;               ///< on the node at the step's end, or after `start`
   virtual double kinetic_energy() const = 0;
   virtual double potential_energy() const = 0; ///< above that at rest
   virtual BearingResponse response() const = 0;

@@ -1,4 +1,4 @@
-#include "buildings/dish_mount.h"
+#include "buildings/dish_element.h"
 #include "reduced_models/dynamics.h"
 #include <algorithm>
 
@@ -24,7 +24,7 @@ SocketShare socket_share(const scene::Curvatures &k, const reduced::TangentFrame
   return {size * along, along * z.transpose() / size + size / rate * (K * K - along * along.transpose())};
 }
 
-class DishMount : public Mount {
+class DishMount : public BearingElement {
 public:
   explicit DishMount(const scene::Scene &scene)
       : law_(scene), weight_(scene.load.vertical), stiffness_(scene.isolator.contact_stiffness * scene.isolator.points),
@@ -44,8 +44,8 @@ public:
     slip_step_ = law_.park_wen() ? stage.own : stage.reach;
     current().z0 = law_.park_wen() ? reduced::tr_bdf2::base(stage, at_[0].z, at_[0].z_rate, at_[1].z_rate) : at_[0].z;
   }
-  MountForce linearise(const NodeMotion &node, bool) override {
-    MountForce m{Vector6::Zero(), Matrix6::Zero()};
+  ElementForce linearise(const NodeMotion &node, bool) override {
+    ElementForce m{Vector6::Zero(), Matrix6::Zero()};
     m.tangent.topLeftCorner<3, 3>() = current().evaluate(*this, node, stage_.t, stage_.own, slip_step_);
     m.force.head<3>() = current().force();
     return m;
@@ -56,10 +56,10 @@ public:
     to.z_rate = (to.z - to.z0) / slip_step_;
   }
   double error(double) const override { return 0; }
-  void set_out(double t, const Vector6 &acceleration) override {
+  void begin_step(double t, const Vector6 &acceleration) override {
     reduced::State rates;
     rates[reduced::iVX] = acceleration[0], rates[reduced::iVY] = acceleration[1];
-    law_.set_out(mode_, t, at_[0].of_law(), rates);
+    law_.begin_step(mode_, t, at_[0].of_law(), rates);
   }
   void accept() override {
     std::swap(at_[0], at_[2]);
@@ -81,7 +81,7 @@ public:
     return true;
   }
   bool at_wall() const override { return met_; }
-  MountPower power(int stage) const override {
+  ElementPower power(int stage) const override {
     const State &s = at_[stage];
     return {0, -s.friction.dot(s.v), -s.impact.dot(s.v), -s.pendular.dot(s.v)};
   }
@@ -220,7 +220,7 @@ private:
 
 } // namespace
 
-std::unique_ptr<Mount> dish_mount(const scene::Scene &scene) {
+std::unique_ptr<BearingElement> dish_element(const scene::Scene &scene) {
   return std::make_unique<DishMount>(scene);
 }
 

@@ -10,12 +10,12 @@ namespace rimpact::app {
 
 /// Path of a program in this executable's folder. RIMPACT_FE_PROGRAM replaces rimpact-fe (the tests'
 /// stand-in).
-std::string sibling(const std::string &name);
+std::string program_beside(const std::string &name);
 bool has_fe_program();
 /// The finite-element program. Throws InputError when it was not built.
 std::string fe_program();
 /// Replaces this process by the finite-element program with these words. Throws as fe_program().
-[[noreturn]] void become_fe(const std::vector<std::string> &words);
+[[noreturn]] void exec_fe(const std::vector<std::string> &words);
 /// Processors that this process may use, at most eight.
 std::size_t cores_to_use();
 

@@ -1,4 +1,4 @@
-#include "fe_contact/drive/kept_slide.h"
+#include "fe_contact/drive/cached_preload.h"
 
 #include "fe_contact/drive/run.h"
 #include "fe_contact/drive/state_fields.h"
@@ -51,7 +51,7 @@ void visit(StateVisitor &v, SlideOut &slide) {
 
 } // namespace
 
-KeptSlide::KeptSlide(const scene::Scene &scene, const planning::Plan &plan, const RunOptions &options) {
+CachedPreload::CachedPreload(const scene::Scene &scene, const planning::Plan &plan, const RunOptions &options) {
   if (options.folder.empty()) return;
   key_ = key_of(scene, plan);
   const fs::path beside = fs::absolute(fs::path(options.folder) / "x").lexically_normal().parent_path().parent_path();
@@ -59,7 +59,7 @@ KeptSlide::KeptSlide(const scene::Scene &scene, const planning::Plan &plan, cons
   writes_ = options.keeps_files();
 }
 
-bool KeptSlide::take(SystemState &state, TopDrive &drive, double &rest_height) const {
+bool CachedPreload::take(SystemState &state, TopDrive &drive, double &rest_height) const {
   bool whole = false;
   std::error_code none;
   if (!path_.empty() && fs::is_regular_file(path_, none)) {
@@ -83,7 +83,7 @@ bool KeptSlide::take(SystemState &state, TopDrive &drive, double &rest_height) c
   return !ranks().any(!whole);
 }
 
-void KeptSlide::keep(SystemState &state, TopDrive &drive, double rest_height) const {
+void CachedPreload::keep(SystemState &state, TopDrive &drive, double rest_height) const {
   if (!writes_ || path_.empty()) return;
   Checkpoint file;
   file.texts["key"] = key_;

@@ -1,4 +1,4 @@
-#include "buildings/rigid_mount.h"
+#include "buildings/rigid_element.h"
 #include "io/files/error.h"
 #include "reduced_models/rigid_body/heat_memory.h"
 #include "reduced_models/rigid_body/rigid_bearing.h"
@@ -17,7 +17,7 @@ using OwnMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_
 using OwnVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_own, 1>;
 using Columns = Eigen::Matrix<double, Eigen::Dynamic, 6, 0, most_own, 6>;
 
-class RigidMount : public Mount {
+class RigidMount : public BearingElement {
 public:
   explicit RigidMount(const scene::Scene &scene)
       : model_(scene), n_(6 * model_.plate), heat_(scene, model_.parts, model_.system) {
@@ -77,7 +77,7 @@ public:
     to.velocity = start_.velocity, to.poses = from.poses;
   }
 
-  MountForce linearise(const NodeMotion &node, bool renew) override {
+  ElementForce linearise(const NodeMotion &node, bool renew) override {
     MotionState &to = current();
     place(to, node);
     const Vector motion = start_.moved + stage_.own * to.velocity;
@@ -155,7 +155,7 @@ public:
   bool at_wall() const override {
     return std::any_of(walls_.begin(), walls_.end(), [&](std::size_t i) { return !model_.system.unmet[i]; });
   }
-  MountPower power(int stage) const override { return power_[stage]; }
+  ElementPower power(int stage) const override { return power_[stage]; }
   Vector6 force() const override { return force_[0]; }
   double kinetic_energy() const override { return model_.system.kinetic_energy(at_[0].poses, at_[0].velocity); }
   double potential_energy() const override { return model_.potential_energy(at_[0]) - potential_; }
@@ -208,8 +208,8 @@ private:
     }
     return M;
   }
-  MountPower power_of(const MotionState &s, const Vector3d &ground) const {
-    MountPower p;
+  ElementPower power_of(const MotionState &s, const Vector3d &ground) const {
+    ElementPower p;
     for (std::size_t i = 0; i < s.contact.size(); ++i)
       (is_wall(model_.system.contacts[i].surface) ? p.rim : p.contact) += s.contact[i].normal_power,
           p.friction += s.contact[i].slip_power;
@@ -222,7 +222,7 @@ private:
   int n_;             ///< own dofs, in front of the plate's six
   MotionState at_[3]; ///< start, middle, end of a step
   Vector6 force_[3];
-  MountPower power_[3];
+  ElementPower power_[3];
   Vector3d rest_;
   double rest_height_ = 0, potential_ = 0, slip_step_ = 0;
   std::vector<std::size_t> walls_;
@@ -238,7 +238,7 @@ private:
 
 } // namespace
 
-std::unique_ptr<Mount> rigid_mount(const scene::Scene &scene) {
+std::unique_ptr<BearingElement> rigid_element(const scene::Scene &scene) {
   return std::make_unique<RigidMount>(scene);
 }
 

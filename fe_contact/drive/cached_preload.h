@@ -9,10 +9,10 @@ namespace rimpact::fe {
 
 struct RunOptions;
 
-class KeptSlide {
+class CachedPreload {
 public:
   /// Nothing is kept, and nothing found, where the run keeps no files.
-  KeptSlide(const scene::Scene &scene, const planning::Plan &plan, const RunOptions &options);
+  CachedPreload(const scene::Scene &scene, const planning::Plan &plan, const RunOptions &options);
 
   /// Into a state of the same system, the drive that brought it there, and the top face's height at rest on the vertex
   /// [m]. False: none is kept, or it is not whole.
