@@ -82,10 +82,10 @@ REMARKS = {
              "stands on the pad's spring, ours, as a calibration of runs with a pad asks, on the dish. Made alike in both (*alike*), the travel agrees within 0.4 %. What stays of "
              "the rim's force, up to 2.7 %, is that of its springs, which are straight lines through the law (first table). The speed of touch of Array 7 in three directions "
              "differs most, and its cause was not found: the hardest push agrees within 2.1 % there.\n\n"
-             "The last tables are of solids, on our mesh. GetFEM assembles forms and their tangents from text; ours is written for this one problem. The largest difference of force falls "
-             "from 3.7 % on mesh 0 to 1.1 % on mesh 1. Seconds to 1 % lie on a straight line of logarithms through the two finest meshes of each program. CalculiX's is too kind: its "
-             "control gave up nearly half of the iterations on mesh 0, and its mesh 2, within 0.1 %, once took 1,341 s ([refinement](refinement.md)). The first of our own meshes within "
-             "1 % is mesh 2.",
+             "The last tables are of solids, on our mesh. GetFEM assembles forms and their tangents from text; ours is written for this one problem. The largest difference of "
+             "force falls from 3.7 % on mesh 0 to 1.1 % on mesh 1. Seconds to 1 % lie on a straight line of logarithms through the two finest meshes of each program. "
+             "CalculiX's is too kind: its control gave up nearly half of the iterations on mesh 0, and its mesh 2, within 0.1 %, once took 1,341 s "
+             "([refinement](refinement.md)). The first of our own meshes within 1 % is mesh 2.",
     "runs": "Left of the bar the later build, right of it the one before rungs became values (commit a9d76de), whose summaries hold no counts "
             "of GMRES and factors. Each row's two runs follow one another on one core, one rank, one thread; seconds are of processor time, beside other work on the other core. "
             "Errors are of the later build against the earlier one. `runs.py RIMPACT --list` names all rows, up to a bidirectional pulse and Sylmar; `time ./run main` is the main "
