@@ -42,9 +42,14 @@ TABLES = {
          "tests/verification/explicit_rim/explicit_rim.py build/release/bin/rimpact build/release/bin/explicit_rim FOLDER --mesh 0 --divided --ours 0"),
         ("tests/benchmarks/peers/rim_calculix/push.txt", "Push of the rim against CalculiX", "ctest -L slow -R rim_push"),
         ("tests/benchmarks/peers/rim_calculix/window.txt", "An elastic window against CalculiX", "ctest -L slow -R rim_window_calculix")]),
-    "peers": ("OpenSees", [
+    "peers": ("OpenSees and GetFEM", [
         ("tests/peers/opensees_table.txt", "Exported files", "tests/peers/opensees_table.py --write"),
-        ("tests/peers/their_bearings.txt", "Its own bearings and ours", "tests/peers/their_bearings.py --write")]),
+        ("tests/peers/their_bearings.txt", "Its own bearings and ours", "tests/peers/their_bearings.py --write"),
+        ("tests/peers/recorded_motions.txt", "Recorded motions", "tests/peers/recorded_motions.py --write"),
+        ("tests/benchmarks/peers/rim_getfem/push.txt", "Push of the rim by GetFEM, and what each program takes",
+         "tests/benchmarks/peers/rim_getfem/compare_push.py --writer WRITER --rimpact RIMPACT-FE --folder FOLDER --speed --write FILE"),
+        ("tests/benchmarks/peers/rim_getfem/friction.txt", "A push with friction by GetFEM", "ctest -L slow -R rim_friction_getfem"),
+        ("tests/benchmarks/peers/rim_getfem/window.txt", "A window by GetFEM", "ctest -L slow -R rim_window_getfem")]),
     "runs": ("Whole runs: work and time", [
         ("tests/benchmarks/runs.txt", "Two builds beside one another", "tests/benchmarks/runs.py RIMPACT --against RIMPACT_BEFORE --rows NAME,... --write FILE"),
         ("tests/benchmarks/runs_alone.txt", "Dear runs of one build", "tests/benchmarks/runs.py RIMPACT --rows NAME,... --write FILE"),
@@ -71,7 +76,16 @@ REMARKS = {
              "the rise, which lifts load off our slider: 4 to 10 % of the force. Against our model with a static normal force 1.6 % remain under a constant load: `singleFPBearing` "
              "adds the push's share, u F / R, to the normal force and projects it without the cosine; `FPBearingPTV` leaves that share out. Where the load varies, the pad's spring "
              "under it swings along; our rigid one does not. Friction by speed is the same law in all three. `TripleFrictionPendulum`, its inner surfaces held to 0.1 mm, is a "
-             "double concave bearing whose faces slide about a point. Our `dcfp` has a slider of a height, whose faces need mu 2 R / R_eff (`mu_e`), and it rises.",
+             "double concave bearing whose faces slide about a point. Our `dcfp` has a slider of a height, whose faces need mu 2 R / R_eff (`mu_e`), and it rises.\n\n"
+             "Under records of Northridge, Imperial Valley and Kobe the exported bearing travels within 1.5 % of our model and its rim is pushed within 2.3 % as hard. "
+             "Two things differ. Friction of the export is built up along a straight line over 0.225 mm, ours along Park and Wen's curve over 0.18 mm; and the export's mass "
+             "stands on the pad's spring, ours, as a calibration of runs with a pad asks, on the dish. Made alike in both (*alike*), the travel agrees within 0.4 %. What stays of "
+             "the rim's force, up to 2.7 %, is that of its springs, which are straight lines through the law (first table). The speed of touch of Array 7 in three directions "
+             "differs most, and its cause was not found: the hardest push agrees within 2.1 % there.\n\n"
+             "The last tables are of solids, on our mesh. GetFEM assembles forms and their tangents from text; ours is written for this one problem. The largest difference of "
+             "force falls from 3.7 % on mesh 0 to 1.1 % on mesh 1. Seconds to 1 % lie on a straight line of logarithms through the two finest meshes of each program. "
+             "CalculiX's is too kind: its control gave up nearly half of the iterations on mesh 0, and its mesh 2, within 0.1 %, once took 1,341 s "
+             "([refinement](refinement.md)). The first of our own meshes within 1 % is mesh 2.",
     "runs": "Left of the bar the later build, right of it the one before rungs became values (commit a9d76de), whose summaries hold no counts "
             "of GMRES and factors. Each row's two runs follow one another on one core, one rank, one thread; seconds are of processor time, beside other work on the other core. "
             "Errors are of the later build against the earlier one. `runs.py RIMPACT --list` names all rows, up to a bidirectional pulse and Sylmar; `time ./run main` is the main "

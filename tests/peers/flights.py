@@ -28,6 +28,7 @@ class Hit:
 class Flight:
     hits: list[Hit] = field(default_factory=list)
     furthest: float = 0.0
+    at_end: float = 0.0   # distance from the middle [m]
     rise_off: float = 0.0  # at the furthest, rise less the ellipsoid's
 
     @property
@@ -174,4 +175,5 @@ def fly(file: Export, ground: dict[int, Sequence[float]], dt: float, duration: f
             if r < capacity:
                 hit = None
         before, r_before, f_before = rate, r, force
+    flight.at_end = r_before
     return flight

@@ -35,13 +35,14 @@ PLACES = lattice()
 
 
 class Mesh:
-    """Nodes [mm], 8-node cells by volume, quadrilaterals by group."""
+    """Nodes [mm], cells of 8 nodes and of all 27 by volume, quadrilaterals by group."""
 
     def __init__(self, file: pathlib.Path, divided: bool) -> None:
         lines = iter(file.read_text().splitlines())
         names: dict[tuple[int, int], str] = {}
         nodes: dict[int, np.ndarray] = {}
         self.cells: dict[str, list[list[int]]] = {}
+        self.whole: dict[str, list[list[int]]] = {}
         quads: list[tuple[str, frozenset[int]]] = []
         for line in lines:
             if line == "$PhysicalNames":
@@ -61,6 +62,7 @@ class Mesh:
                     else:
                         quads.append((names[2, group], frozenset(own[:4])))
                     if len(own) == 27:
+                        self.whole.setdefault(names[3, group], []).append(own)
                         self.remember(own)
         self.nodes, self.quads = nodes, quads
         self.divided = divided
