@@ -37,6 +37,9 @@ void visit_hardening(KeyVisitor &v, Material &m) {
     v.number({"hardening_Q_MPa", "Q of the law"}, h.Q, mega, stress);
     v.number({"hardening_b", "b of the law"}, h.b, si, {0, 1e4, true});
   }
+  if (v.wants(!h.chaboche.values.empty()))
+    v.rows({"chaboche", "[[C in MPa, gamma], ...] of one or two backstresses, beside the curve's growth"}, h.chaboche,
+           {Column{mega, stress}, Column{si, {0, 1e5}}});
 }
 
 void visit_fracture(KeyVisitor &v, const Material &m, Fracture &f) {
@@ -46,6 +49,10 @@ void visit_fracture(KeyVisitor &v, const Material &m, Fracture &f) {
            f.D1, si, {0, 100, true});
   v.number({"fracture_D2", "D2 of that", assumption}, f.D2, si, strain);
   v.number({"fracture_D3", "D3 of that", assumption}, f.D3, si, {-100, 0});
+  if (v.wants(f.C1 > 0))
+    v.number({"fracture_C1", "plastic strain at fracture in shear, for the damage by Bao and Wierzbicki"}, f.C1, si,
+             {0, 100, true});
+  if (v.wants(f.C2 > 0)) v.number({"fracture_C2", "the same in plain tension"}, f.C2, si, {0, 100, true});
 }
 
 /// Before the numbers that follow from them.

@@ -1,4 +1,5 @@
 #include "fe_contact/laws/hencky_j2.h"
+#include "fe_contact/laws/kinematic_step.h"
 #include "fe_contact/laws/plastic_flow.h"
 
 #include <cmath>
@@ -20,12 +21,6 @@ struct PrincipalReturn {
   double alpha;
   double overstress = 0.0; ///< [Pa]
 };
-
-/// 27 J3 / (2 q^3) of a deviator, q = sqrt(3/2) |s|: 1 in tension, 0 in shear, -1 in compression.
-double lode_parameter(const Eigen::Vector3d &s) {
-  const double q = std::sqrt(1.5) * s.norm();
-  return 13.5 * s.prod() / (q * q * q);
-}
 
 /// Plastic part of a step: the change of the elastic strain's norm, and its own change with the trial stress's.
 struct Flow {
@@ -104,6 +99,10 @@ Matrix6 assemble_tangent(const PrincipalReturn &principal, const Eigen::Vector3d
 
 } // namespace
 
+double lode_parameter(double determinant, double q) {
+  return 13.5 * determinant / (q * q * q);
+}
+
 Matrix3 to_matrix(const Vector6 &s) {
   Matrix3 m;
   m << s(0), s(3), s(5), s(3), s(1), s(4), s(5), s(4), s(2);
@@ -119,6 +118,7 @@ HenckyJ2 HenckyJ2::from(const scene::Material &material) {
   if (!material.yield) return law;
   law.hardening = Hardening(material);
   law.rate = {material.rate};
+  law.backstress = BackstressLaw(material);
   return law;
 }
 
@@ -135,6 +135,7 @@ IsochoricResult HenckyJ2::step(const J2State &old, const Matrix3 &F, double dt, 
     result.admissible = false;
     return result;
   }
+  if (!elastic && !backstress.none()) return kinematic_step(*this, old, F, dt, with_tangent);
   const Matrix3 b_trial = F * to_matrix(old.cp_inverse) * F.transpose();
   // The iterative solver: Eigen's closed form returns parallel axes for nearly equal eigenvalues (F close to
   // I).
@@ -160,7 +161,9 @@ IsochoricResult HenckyJ2::step(const J2State &old, const Matrix3 &F, double dt, 
     const Matrix3 pulled = F_inverse * axes;
     result.state.cp_inverse = to_vector(pulled * b_elastic.asDiagonal() * pulled.transpose());
     result.state.alpha = principal.alpha;
-    result.state.lode += lode_parameter(principal.stress) * (principal.alpha - old.alpha);
+    const Eigen::Vector3d &s = principal.stress;
+    result.state.lode += lode_parameter(s.prod(), std::sqrt(1.5) * s.norm()) * (principal.alpha - old.alpha);
+    result.mises = hardening.stress(principal.alpha) + principal.overstress;
     // As the ledgers take the work of the stresses: by the trapezoid over the step.
     result.state.viscous_work += 0.5 * (old.overstress + principal.overstress) * (principal.alpha - old.alpha);
   }
