@@ -67,7 +67,7 @@ SteelReport steel_report_in(const nlohmann::json &summary, const std::string &or
       at.largest = entry.at("max_plastic_strain"), at.averaged = entry.at("averaged_plastic_strain");
       at.damage = entry.at("damage");
       at.averaged_damage = entry.value("averaged_damage", at.damage); // runs of earlier versions have a point's alone
-      at.locus_damage = entry.value("damage_bao_wierzbicki", 0.0); // as well
+      at.locus_damage = entry.value("damage_bao_wierzbicki", 0.0);    // as well
       at.averaged_locus_damage = entry.value("averaged_damage_bao_wierzbicki", 0.0);
       if (!entry.at("triaxiality").is_null()) at.triaxiality = entry["triaxiality"];
       if (entry.contains("lode") && !entry["lode"].is_null()) at.lode = entry["lode"];

@@ -78,6 +78,19 @@ void visit(KeyVisitor &v, StrainRate &r) {
   }
 }
 
+/// Written where heat softens the steel.
+void visit(KeyVisitor &v, PlasticHeat &h) {
+  if (!v.wants(h.model != Softening::none)) return;
+  constexpr Range positive{0, 1e5, true};
+  v.choice({"softening"}, h.model);
+  if (!v.wants(h.model == Softening::adiabatic)) return;
+  v.number({"taylor_quinney", "share of the plastic work that becomes heat", assumption}, h.share, si, {0, 1, true});
+  v.number({"heat_capacity_J_per_kg_K", "", assumption}, h.capacity, si, positive);
+  v.number({"melting_K", "rise of the temperature at which no flow stress is left", assumption}, h.melting, si,
+           positive);
+  v.number({"softening_exponent", "m of 1 - (rise / melting)^m", assumption}, h.exponent, si, {0, 10, true});
+}
+
 /// Written where the rim is not one piece with its plate.
 void visit(KeyVisitor &v, RimConnection &c) {
   using enum ConnectionKind;
@@ -179,7 +192,7 @@ void visit(KeyVisitor &v, Bearing &b) {
       visit_origin(v, b.steel);
       visit(v, b.steel);
       if (v.wants(b.steel.yield.has_value())) {
-        visit_hardening(v, b.steel), visit(v, b.steel.rate);
+        visit_hardening(v, b.steel), visit(v, b.steel.rate), visit(v, b.steel.heat);
         visit_fracture(v, b.steel, b.steel.fracture);
       }
       v.limit({"strain_limit", "plastic strain beyond which results are doubted; inf: not judged", assumption},

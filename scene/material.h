@@ -46,6 +46,24 @@ constexpr auto choices(CurveKind) {
                                 {engineering, "engineering", "strain and stress of a tensile test, elastic part too"}});
 }
 
+/// Whether the heat of plastic work softens the steel (fe_contact/laws/softening.h).
+enum class Softening { none, adiabatic };
+constexpr auto choices(Softening) {
+  using enum Softening;
+  return choices_of<Softening>(
+      {{none, "none"}, {adiabatic, "adiabatic", "by the heat of its plastic work, none of which is led away"}});
+}
+
+/// Constants of the softening.
+struct PlasticHeat {
+  Softening model = Softening::none;
+  double share = 0.9;    ///< of the plastic work that becomes heat, Taylor and Quinney (1934) [-], 0 < share <= 1
+  double capacity = 460; ///< [J/(kg K)], > 0
+  double melting = 1500; ///< temperature over the initial one at which nothing is left [K], > 0
+  double exponent = 1;   ///< m of Johnson and Cook (1983) [-], > 0
+  bool operator==(const PlasticHeat &) const = default;
+};
+
 constexpr int most_backstresses = 2;
 
 /// Rows and constants of the curves; the law at hand reads its own.
@@ -99,6 +117,7 @@ struct Material {
 
   StrainRate rate = {};     ///< of steel that yields
   Hardening hardening = {}; ///< the same
+  PlasticHeat heat = {};    ///< the same
   Fracture fracture = {};
   std::string grade = no_grade; ///< that the numbers were taken from (scene/steel_grades.h)
   double hardness_HB = 0;       ///< that the yield stress was estimated from, Brinell; 0: it was not

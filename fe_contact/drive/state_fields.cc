@@ -16,8 +16,8 @@ void visit(StateVisitor &v, SolidHistory &history) {
   v.column("lode", history, &J2State::lode, size);
   v.column("damage", history, &J2State::damage, positive);
   v.column("locus_damage", history, &J2State::locus_damage, positive);
-  v.column("overstress", history, &J2State::overstress, {0, 1e12});
-  v.column("viscous_work", history, &J2State::viscous_work, {0, 1e15});
+  v.column("overstress", history, &J2State::overstress, {-1e12, 1e12});
+  v.column("viscous_work", history, &J2State::viscous_work, {-1e15, 1e15});
   bool kinematic = std::any_of(history.begin(), history.end(),
                                [](const J2State &point) { return !point.backstress.front().isZero(0); });
   v.flag("kinematic", kinematic);

@@ -25,9 +25,8 @@ Solid::Solid(const Discretisation &space, const scene::Bearing &bearing)
 Solid::Solid(const Discretisation &space, const std::map<meshes::Volume, scene::Material> &materials)
     : space_(space), kept_(space.n_cells) {
   for (const auto &[volume, material] : materials)
-    laws_.emplace(
-        volume,
-        SolidLaw{HenckyJ2::from(material), HenckyVolumetric::from(material), CrackMeasure(material.fracture), material.density});
+    laws_.emplace(volume, SolidLaw{HenckyJ2::from(material), HenckyVolumetric::from(material),
+                                   CrackMeasure(material.fracture), material.density});
 }
 
 std::vector<std::vector<int>> Solid::couplings(const Equations &equations) const {
@@ -123,8 +122,7 @@ Solid::Answer Solid::answer(std::size_t c, const std::array<Matrix3, n> &F, cons
     kernel.add(G, at_point, weight, volumetric.response, with_tangent);
   }
   kernel.finish();
-  if (!law.isochoric.rate.none() || !law.isochoric.backstress.none())
-    result.energies.plastic += work_beside_the_curve(c, next);
+  if (!law.isochoric.follows_its_curve()) result.energies.plastic += work_beside_the_curve(c, next);
   if (result.flows) remember(c, old, next, mises.data(), mean.data());
   result.admissible = true;
   return result;

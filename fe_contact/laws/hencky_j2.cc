@@ -35,27 +35,28 @@ Matrix3 deviatoric_projector() {
 
 /// Beyond the static yield surface by `excess` [Pa] of |dev tau|. The bilinear curve of static steel is solved exactly,
 /// all else in terms of the equivalent stress sqrt(3/2) |dev tau|.
-Flow flow_beyond(const HenckyJ2 &law, double excess, double alpha, double dt) {
+Flow flow_beyond(const HenckyJ2 &law, double excess, double alpha, double soft, double dt) {
   const double mu = law.shear_modulus;
-  if (law.hardening.is_linear() && (law.rate.none() || !(dt > 0))) {
+  if (law.hardening.is_linear() && law.heat.none() && (law.rate.none() || !(dt > 0))) {
     const double slope = law.hardening.slope(alpha);
     return {excess / (2 * mu + 2.0 / 3.0 * slope), 2 * mu / (2 * mu + 2.0 / 3.0 * slope)};
   }
-  const StepFlow step = flow_of(law.hardening, law.rate,
-                                {.excess = std::sqrt(1.5) * excess, .alpha = alpha, .elastic = 3 * mu, .dt = dt});
+  const StepFlow step =
+      flow_of(law.hardening, law.rate,
+              {.excess = std::sqrt(1.5) * excess, .alpha = alpha, .elastic = 3 * mu, .dt = dt, .softening = soft});
   return {std::sqrt(1.5) * step.flow, 3 * mu * step.by_trial,
-          step.overstress * law.hardening.stress(alpha + step.flow)};
+          (soft * step.overstress + (soft - 1)) * law.hardening.stress(alpha + step.flow)};
 }
 
 /// Radial return in principal axes: |dev tau| = sqrt(2/3) times the flow stress.
-PrincipalReturn return_map(const HenckyJ2 &law, const Eigen::Vector3d &trial_deviator, double alpha, double dt) {
-  const double mu = law.shear_modulus;
+PrincipalReturn return_map(const HenckyJ2 &law, const Eigen::Vector3d &trial_deviator, const J2State &old, double dt) {
+  const double mu = law.shear_modulus, alpha = old.alpha, soft = law.softening(old);
   PrincipalReturn result{trial_deviator, 2 * mu * trial_deviator, 2 * mu * deviatoric_projector(), alpha};
   if (law.elastic) return result;
   const double norm = result.stress.norm();
-  const double excess = norm - std::sqrt(2.0 / 3.0) * law.hardening.stress(alpha);
+  const double excess = norm - std::sqrt(2.0 / 3.0) * soft * law.hardening.stress(alpha);
   if (excess <= 0) return result;
-  const auto [gamma, share, overstress] = flow_beyond(law, excess, alpha, dt);
+  const auto [gamma, share, overstress] = flow_beyond(law, excess, alpha, soft, dt);
   const Eigen::Vector3d direction = result.stress / norm;
   result.elastic_strain -= gamma * direction;
   result.stress = 2 * mu * result.elastic_strain;
@@ -119,6 +120,7 @@ HenckyJ2 HenckyJ2::from(const scene::Material &material) {
   law.hardening = Hardening(material);
   law.rate = {material.rate};
   law.backstress = BackstressLaw(material);
+  law.heat = {material.heat, material.density};
   return law;
 }
 
@@ -148,7 +150,7 @@ IsochoricResult HenckyJ2::step(const J2State &old, const Matrix3 &F, double dt, 
   }
   const Eigen::Vector3d strain = 0.5 * b.array().log();
   const Eigen::Vector3d deviator = strain.array() - strain.mean();
-  const PrincipalReturn principal = return_map(*this, deviator, old.alpha, dt);
+  const PrincipalReturn principal = return_map(*this, deviator, old, dt);
 
   result.energy = shear_modulus * principal.elastic_strain.squaredNorm();
   result.response.stress = to_vector(axes * principal.stress.asDiagonal() * axes.transpose());

@@ -10,6 +10,7 @@
 #pragma once
 #include "fe_contact/laws/backstress.h"
 #include "fe_contact/laws/hardening.h"
+#include "fe_contact/laws/softening.h"
 #include "fe_contact/laws/strain_rate.h"
 #include "scene/material.h"
 #include <Eigen/Core>
@@ -25,14 +26,16 @@ using Vector6 = Eigen::Matrix<double, 6, 1>;
 struct J2State {
   Vector6 cp_inverse{1.0, 1.0, 1.0, 0.0, 0.0, 0.0}; ///< C_p^-1
   double alpha = 0.0;                               ///< accumulated plastic strain [-]
-  double overstress = 0.0;   ///< flow stress over the hardening curve's at the last step's end [Pa]; 0: it did not flow
+  /// Flow stress over the hardening curve's at the last step's end, below 0 where heat softens more than the rate
+  /// hardens [Pa]; 0: it did not flow.
+  double overstress = 0.0;
   double viscous_work = 0.0; ///< integral of the overstress over alpha [J/m^3]
   /// Deviators in the intermediate configuration, which U_p unloads (kinematic_step.h) [Pa].
   Backstress backstress{Tensor6::Zero(), Tensor6::Zero()};
   double back_work = 0.0; ///< work of the backstress on the plastic strain [J/m^3]
   // Of what the steel went through; no force depends on them:
-  double triaxiality = 0.0; ///< integral of the triaxiality over alpha [-]
-  double lode = 0.0;        ///< integral of the Lode parameter over alpha [-]
+  double triaxiality = 0.0;  ///< integral of the triaxiality over alpha [-]
+  double lode = 0.0;         ///< integral of the Lode parameter over alpha [-]
   double damage = 0.0;       ///< D of CrackMeasure by Johnson and Cook [-]
   double locus_damage = 0.0; ///< by Bao and Wierzbicki [-]
 };
@@ -59,8 +62,16 @@ struct HenckyJ2 {
   Hardening hardening{};
   RateLaw rate{};
   BackstressLaw backstress{};
+  SofteningLaw heat{};
 
   static HenckyJ2 from(const scene::Material &material);
+  /// Whether the plastic work is that of the hardening curve alone.
+  bool follows_its_curve() const { return rate.none() && backstress.none() && heat.none(); }
+  /// Plastic work of a state, all parts [J/m^3].
+  double plastic_work(const J2State &state) const {
+    return hardening.work(state.alpha) + state.viscous_work + state.back_work;
+  }
+  double softening(const J2State &state) const { return heat.none() ? 1 : heat.factor(plastic_work(state)); }
   /// The same that never yields: from the state at a step's end its stress is that of the step. To flow again,
   /// infinitely slowly, would relax what the rate bears.
   HenckyJ2 at_rest() const;

@@ -20,7 +20,8 @@ struct KinematicReturn {
 };
 
 /// `trial`: deviator of the trial strain.
-KinematicReturn kinematic_return(const HenckyJ2 &law, const Tensor6 &trial, const Backstress &old, double alpha,
+/// `back`: the old backstress in the trial strain's axes, in the place of the state's own.
+KinematicReturn kinematic_return(const HenckyJ2 &law, const Tensor6 &trial, const Backstress &back, const J2State &old,
                                  double dt);
 
 } // namespace rimpact::fe

@@ -99,7 +99,7 @@ IsochoricResult kinematic_step(const HenckyJ2 &law, const J2State &old, const Ma
   Backstress back;
   for (std::size_t k = 0; k < back.size(); ++k)
     back[k] = to_tensor(trial.inner.transpose() * from_tensor(old.backstress[k]) * trial.inner);
-  const KinematicReturn returned = kinematic_return(law, to_tensor(deviator.asDiagonal()), back, old.alpha, dt);
+  const KinematicReturn returned = kinematic_return(law, to_tensor(deviator.asDiagonal()), back, old, dt);
   const Tensor6 stress = 2 * law.shear_modulus * returned.strain;
   const Matrix6 turn = turn_of_stress(trial.outer);
   result.energy = law.shear_modulus * returned.strain.squaredNorm();

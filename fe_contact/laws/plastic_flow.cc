@@ -40,32 +40,32 @@ struct ElasticFall {
 
 /// Of steel that shows no rate.
 template <class Fall> StepFlow static_flow(const Hardening &hardening, const FlowStep &step, const Fall &fall) {
-  const double at_start = hardening.stress(step.alpha);
+  const double soft = step.softening, at_start = soft * hardening.stress(step.alpha);
   double flow = step.excess / step.elastic;
   if (std::is_same_v<Fall, ElasticFall> && hardening.is_linear())
-    flow = step.excess / (step.elastic + hardening.slope(step.alpha));
+    flow = step.excess / (step.elastic + soft * hardening.slope(step.alpha));
   else
     flow = rising_root(
         [&](double x) {
           const double end = step.alpha + x;
           const FallOfStress fallen = fall(x);
-          return ValueAndSlope{fallen.value + (hardening.stress(end) - at_start) - step.excess,
-                               fallen.slope + hardening.slope(end)};
+          return ValueAndSlope{fallen.value + (soft * hardening.stress(end) - at_start) - step.excess,
+                               fallen.slope + soft * hardening.slope(end)};
         },
         0.0, flow);
-  return {flow, 1 / (fall(flow).slope + hardening.slope(step.alpha + flow))};
+  return {flow, 1 / (fall(flow).slope + soft * hardening.slope(step.alpha + flow))};
 }
 
 template <class Fall>
 StepFlow flow_by(const Hardening &hardening, const RateLaw &law, const FlowStep &step, const Fall &fall) {
   const StepFlow at_once = static_flow(hardening, step, fall);
   if (law.none() || !(step.dt > 0) || law.rate(0).value >= at_once.flow / step.dt) return at_once;
-  const double at_start = hardening.stress(step.alpha);
+  const double soft = step.softening, at_start = soft * hardening.stress(step.alpha);
   const auto balance = [&](double w) {
     const PlasticRate rate = law.rate(w);
-    const double flow = step.dt * rate.value, end = step.alpha + flow, stress = hardening.stress(end);
+    const double flow = step.dt * rate.value, end = step.alpha + flow, stress = soft * hardening.stress(end);
     const FallOfStress fallen = fall(flow);
-    const double resistance = fallen.slope + hardening.slope(end) * (1 + w);
+    const double resistance = fallen.slope + soft * hardening.slope(end) * (1 + w);
     return ValueAndSlope{at_start * w + fallen.value + (stress - at_start) * (1 + w) - step.excess,
                          stress + resistance * step.dt * rate.slope};
   };

@@ -12,10 +12,11 @@ namespace rimpact::fe {
 
 /// A step beyond yield.
 struct FlowStep {
-  double excess;  ///< trial stress over the static flow stress at the step's start [Pa], > 0
-  double alpha;   ///< accumulated plastic strain there [-], >= 0
-  double elastic; ///< fall of the stress by flow, 3 mu [Pa], > 0
-  double dt;      ///< [s]; 0: infinitely slow
+  double excess;        ///< trial stress over the static flow stress at the step's start [Pa], > 0
+  double alpha;         ///< accumulated plastic strain there [-], >= 0
+  double elastic;       ///< fall of the stress by flow, 3 mu [Pa], > 0
+  double dt;            ///< [s]; 0: infinitely slow
+  double softening = 1; ///< factor of the static flow stress over the step [-], > 0
 };
 
 struct StepFlow {

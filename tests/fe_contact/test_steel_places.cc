@@ -29,10 +29,12 @@ TEST(CrackMeasure, LocusOfBaoAndWierzbickiIsWholeAndEndsInCompression) {
   EXPECT_NEAR(own.locus_strain(1.0 / 6), 0.27 + 0.20 / 4, 1e-12);
   EXPECT_NEAR(own.locus_strain(-1.0 / 6), 2 * 0.27, 1e-12);
   EXPECT_TRUE(std::isinf(own.locus_strain(-0.34)));
-  for (const double joint : {-1.0 / 3 + 1e-6, 0.0, 1.0 / 3}) // no branch jumps to the next; at the cut-off it grows without end
+  for (const double joint :
+       {-1.0 / 3 + 1e-6, 0.0, 1.0 / 3}) // no branch jumps to the next; at the cut-off it grows without end
     EXPECT_NEAR(own.locus_strain(joint + 1e-12) / own.locus_strain(joint), 1, 1e-5) << joint;
   EXPECT_GT(own.locus_strain(-1.0 / 3 + 1e-6), 1e4);
-  // Estimated: in tension Johnson and Cook's, in shear where sigma / sqrt(3) there is sigma / 2 here for sigma = K eps^0.2.
+  // Estimated: in tension Johnson and Cook's, in shear where sigma / sqrt(3) there is sigma / 2 here for sigma = K
+  // eps^0.2.
   const CrackMeasure weldox;
   const double tension = weldox.locus_strain(1.0 / 3), shear = weldox.locus_strain(0);
   EXPECT_NEAR(tension, weldox.fracture_strain(1.0 / 3), 1e-12);
