@@ -114,6 +114,18 @@ void visit(KeyVisitor &v, RimConnection &c) {
   });
 }
 
+/// Written of the parts that have a steel of their own.
+void visit_part_steels(KeyVisitor &v, Bearing &b) {
+  for (const SteelPart part : {SteelPart::rim, SteelPart::dish, SteelPart::slider}) {
+    const auto own = b.part_steels.find(part);
+    if (!v.wants(own != b.part_steels.end())) continue;
+    Material steel = b.steel_of(part);
+    const std::string table = word(part);
+    v.section(table.c_str(), [&] { visit_steel(v, steel); });
+    if (own != b.part_steels.end()) own->second = steel;
+  }
+}
+
 void visit_foot_and_pad(KeyVisitor &v, Bearing &b) {
   v.section("pad", [&] {
     v.number({"inner_radius_mm", "", assumption}, b.pad.inner_radius, milli, size_mm);
@@ -169,6 +181,17 @@ void visit(KeyVisitor &v, SurfaceSpec &s) {
 
 } // namespace
 
+void visit_steel(KeyVisitor &v, Material &steel) {
+  visit_origin(v, steel);
+  visit(v, steel);
+  if (v.wants(steel.yield.has_value())) {
+    visit_hardening(v, steel), visit(v, steel.rate), visit(v, steel.heat);
+    visit_fracture(v, steel, steel.fracture);
+  }
+  v.limit({"strain_limit", "plastic strain beyond which results are doubted; inf: not judged", assumption},
+          steel.strain_limit, si, {0, 10, true});
+}
+
 void visit(KeyVisitor &v, Bearing &b) {
   v.section("surface", [&] { visit(v, b.surface); });
   v.section("slider", [&] {
@@ -188,16 +211,8 @@ void visit(KeyVisitor &v, Bearing &b) {
   });
   if (v.wants(!b.double_concave())) visit_foot_and_pad(v, b);
   v.section("material", [&] {
-    v.section("steel", [&] {
-      visit_origin(v, b.steel);
-      visit(v, b.steel);
-      if (v.wants(b.steel.yield.has_value())) {
-        visit_hardening(v, b.steel), visit(v, b.steel.rate), visit(v, b.steel.heat);
-        visit_fracture(v, b.steel, b.steel.fracture);
-      }
-      v.limit({"strain_limit", "plastic strain beyond which results are doubted; inf: not judged", assumption},
-              b.steel.strain_limit, si, {0, 10, true});
-    });
+    v.section("steel", [&] { visit_steel(v, b.steel); });
+    visit_part_steels(v, b);
     if (v.wants(!b.double_concave())) v.section("ertalyte", [&] { visit(v, b.ertalyte); });
   });
   v.section("contact", [&] {

@@ -6,7 +6,8 @@
 
 namespace rimpact::scene {
 
-void visit(KeyVisitor &visitor, Bearing &bearing); ///< all but its name
+void visit(KeyVisitor &visitor, Bearing &bearing);      ///< all but its name
+void visit_steel(KeyVisitor &visitor, Material &steel); ///< [material.steel], or one of a part
 /// [isolator], as the model reads it; all of it beside "physical", which reads none.
 void visit(KeyVisitor &visitor, Isolator &bearing, ModelKind model);
 void visit(KeyVisitor &visitor, Superstructure &structure); ///< [superstructure]

@@ -48,7 +48,16 @@ constexpr std::array parts{ScenePart{"excitation.", "excitation.kind", true},
                            ScenePart{"bearing.contact.", "bearing.contact.pad_foot"},
                            ScenePart{"model.own_mesh.", "model.own_mesh.file"}};
 
-const ScenePart *part_of(const std::string &path) {
+/// Of a part's steel as of the bearing's own: "bearing.material.rim.rate" as "bearing.material.steel.rate".
+std::string of_the_bearings_steel(const std::string &path) {
+  for (const auto &part : words<SteelPart>())
+    if (const std::string table = "bearing.material." + part + "."; path.starts_with(table))
+      return "bearing.material.steel." + path.substr(table.size());
+  return path;
+}
+
+const ScenePart *part_of(const std::string &key) {
+  const std::string path = of_the_bearings_steel(key);
   const auto found =
       std::find_if(parts.begin(), parts.end(), [&](const ScenePart &part) { return path.starts_with(part.prefix); });
   return found == parts.end() ? nullptr : &*found;
@@ -83,7 +92,7 @@ bool has_no_effect(const std::string &path, const Scene &scene) {
 bool is_read_before(const std::string &path) {
   constexpr std::array keys{"reduced.calibration", "bearing.surface.file", "bearing.material.steel.grade",
                             "bearing.material.steel.hardness_HB"};
-  return std::find(keys.begin(), keys.end(), path) != keys.end();
+  return std::find(keys.begin(), keys.end(), of_the_bearings_steel(path)) != keys.end();
 }
 
 void visit_all(KeyVisitor &visitor, Scene &scene) {

@@ -16,10 +16,10 @@ void make_symmetric(Matrix6 &tangent) {
 } // namespace
 
 Solid::Solid(const Discretisation &space, const scene::Bearing &bearing)
-    : Solid(space, {{meshes::Volume::plate, bearing.steel},
-                    {meshes::Volume::rim, bearing.steel},
-                    {meshes::Volume::foot, bearing.steel},
-                    {meshes::Volume::upper_slider, bearing.steel},
+    : Solid(space, {{meshes::Volume::plate, bearing.steel_of(scene::SteelPart::dish)},
+                    {meshes::Volume::rim, bearing.steel_of(scene::SteelPart::rim)},
+                    {meshes::Volume::foot, bearing.steel_of(scene::SteelPart::slider)},
+                    {meshes::Volume::upper_slider, bearing.steel_of(scene::SteelPart::slider)},
                     {meshes::Volume::pad, bearing.ertalyte}}) {}
 
 Solid::Solid(const Discretisation &space, const std::map<meshes::Volume, scene::Material> &materials)

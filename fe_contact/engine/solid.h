@@ -33,7 +33,7 @@ struct SolidLaw {
 
 class Solid {
 public:
-  /// All volumes of a bearing's mesh are steel but the pad (Ertalyte).
+  /// All volumes of a bearing's mesh are steel, each that of its part, but the pad (Ertalyte).
   Solid(const Discretisation &space, const scene::Bearing &bearing);
   Solid(const Discretisation &space, const std::map<meshes::Volume, scene::Material> &materials);
 
