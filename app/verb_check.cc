@@ -69,6 +69,8 @@ void add_check(CLI::App &app, Console &console) {
       table.update(scene::case_json(scene));
       table["assumptions"] = nlohmann::json::object();
       for (const auto &item : assumed) table["assumptions"][item.key] = item.value;
+      if (const auto &foot = scene.bearing.rim.connection; !scene.rigid_bodies())
+        table["rim_foot"] = {{"connection", word(foot.kind)}, {"in_words", in_words(foot)}};
       table["warnings"] = console.warnings();
       if (!own.table.is_null()) table["own_mesh"] = own.table;
       table["refusal"] = refusal ? nlohmann::json(*refusal) : nlohmann::json(nullptr);
@@ -78,6 +80,7 @@ void add_check(CLI::App &app, Console &console) {
     std::string text = fmt::format("{}: lift at L_c {:.2f} mm; geometry can be built and nothing collides\n",
                                    scene.name, 1e3 * scene::lift(scene.bearing, scene.bearing.lateral_capacity()));
     text += scene::describe_case(scene) + own.sentence + planning::describe(plan);
+    if (!scene.rigid_bodies()) text += scene::foot_sentence(scene.bearing);
     console.data(text + sentence_of(assumed));
     judge();
   });

@@ -72,13 +72,16 @@ SteelAtPlace worst_of(std::vector<SteelPoint> points, const std::vector<SteelPoi
   for (const SteelPoint &p : points) {
     result.damage = std::max(result.damage, p.damage);
     result.locus_damage = std::max(result.locus_damage, p.locus_damage);
-    if (!(p.strain > result.averaged || p.damage > result.averaged_damage ||
-          p.locus_damage > result.averaged_locus_damage))
-      continue; // about lower points no mean is sought
+    // About lower points no mean is sought.
+    const bool higher = p.strain > result.averaged || p.damage > result.averaged_damage;
+    const bool higher_by_locus = p.locus_damage > result.averaged_locus_damage;
+    if (!higher && !higher_by_locus) continue;
     const Means means = averaged(body, p.place);
-    result.averaged = std::max(result.averaged, means.strain);
-    result.averaged_damage = std::max(result.averaged_damage, means.damage);
-    result.averaged_locus_damage = std::max(result.averaged_locus_damage, means.locus_damage);
+    if (higher) {
+      result.averaged = std::max(result.averaged, means.strain);
+      result.averaged_damage = std::max(result.averaged_damage, means.damage);
+    }
+    if (higher_by_locus) result.averaged_locus_damage = std::max(result.averaged_locus_damage, means.locus_damage);
   }
   return result;
 }

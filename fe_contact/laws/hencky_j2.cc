@@ -98,6 +98,16 @@ Matrix6 assemble_tangent(const PrincipalReturn &principal, const Eigen::Vector3d
          (sheared * shear.asDiagonal()).lazyProduct(sheared.transpose());
 }
 
+/// The state after a flow but for what no force depends on; `pulled`: principal axes brought back by F^-1.
+void flow_on(const J2State &old, const PrincipalReturn &principal, double mean_strain, const Matrix3 &pulled,
+             J2State &state) {
+  const Eigen::Vector3d b_elastic = (2 * (principal.elastic_strain.array() + mean_strain)).exp();
+  state.cp_inverse = to_vector(pulled * b_elastic.asDiagonal() * pulled.transpose());
+  // As the ledgers take the work of the stresses: by the trapezoid over the step.
+  state.viscous_work += 0.5 * (old.overstress + principal.overstress) * (principal.alpha - old.alpha);
+  state.alpha = principal.alpha, state.overstress = principal.overstress;
+}
+
 } // namespace
 
 double lode_parameter(double determinant, double q) {
@@ -156,19 +166,12 @@ IsochoricResult HenckyJ2::step(const J2State &old, const Matrix3 &F, double dt, 
   result.response.stress = to_vector(axes * principal.stress.asDiagonal() * axes.transpose());
   if (with_tangent) result.response.tangent = assemble_tangent(principal, b, axes);
   result.state = old;
-  result.state.overstress = principal.overstress;
-  if (principal.alpha > old.alpha) {
-    const Eigen::Vector3d b_elastic = (2 * (principal.elastic_strain.array() + strain.mean())).exp();
-    const Matrix3 F_inverse = F.inverse();
-    const Matrix3 pulled = F_inverse * axes;
-    result.state.cp_inverse = to_vector(pulled * b_elastic.asDiagonal() * pulled.transpose());
-    result.state.alpha = principal.alpha;
-    const Eigen::Vector3d &s = principal.stress;
-    result.state.lode += lode_parameter(s.prod(), std::sqrt(1.5) * s.norm()) * (principal.alpha - old.alpha);
-    result.mises = hardening.stress(principal.alpha) + principal.overstress;
-    // As the ledgers take the work of the stresses: by the trapezoid over the step.
-    result.state.viscous_work += 0.5 * (old.overstress + principal.overstress) * (principal.alpha - old.alpha);
-  }
+  result.state.overstress = 0;
+  if (!(principal.alpha > old.alpha)) return result;
+  flow_on(old, principal, strain.mean(), F.inverse() * axes, result.state);
+  const double q = std::sqrt(1.5) * principal.stress.norm();
+  result.state.lode += lode_parameter(principal.stress.prod(), q) * (principal.alpha - old.alpha);
+  result.mises = hardening.stress(principal.alpha) + principal.overstress;
   return result;
 }
 

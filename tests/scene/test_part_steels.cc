@@ -38,7 +38,7 @@ TEST(PartSteels, WhatATableLeavesOutIsTheBearingsSteels) {
 }
 
 TEST(PartSteels, AGradeOfAPartIsThatOfItsThickness) {
-  const Scene scene = with("[bearing.rim]\nthickness_mm = 15\n[bearing.material.steel]\ngrade = \"S235\"\n"
+  const Scene scene = with("[bearing.rim]\nthickness_mm = 15\n[bearing.material.steel]\nyield_MPa = 235\n"
                            "[bearing.material.rim]\ngrade = \"S355\"\n[bearing.material.dish]\ngrade = \"S355\"\n");
   const Bearing &b = scene.bearing;
   EXPECT_EQ(*b.steel_of(SteelPart::rim).yield, 355e6);  // up to 16 mm
