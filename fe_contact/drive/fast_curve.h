@@ -5,8 +5,7 @@
 /// one rate for the whole impact,
 ///   s = 1 + w(rate),   rate = v alpha(D) / D,
 /// with D the depth at which the static curve stops the mass from the speed v, and alpha the rim's judged strain there.
-/// Large strains, and a rate that falls on the way in, are left out: tests/verification/fast_curve.py measures the
-/// error.
+/// Large strains, and a rate that falls on the way in, are left out: docs/results/refinement.md has the error.
 #pragma once
 #include "reduced_models/rim_curve_file.h"
 
