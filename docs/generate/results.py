@@ -30,6 +30,7 @@ TABLES = {
         ("tests/verification/rim_window_refinement.txt", "A window, meshes 1 to 3", "tests/verification/rim_window_refinement.py"),
         ("tests/verification/steel_places.txt", "The rim's steel, meshes 0 to 2", "tests/verification/steel_places.py"),
         ("tests/verification/steel_rate.txt", "Steel that knows its rate", "tests/verification/steel_rate.py"),
+        ("tests/verification/second_hits.txt", "Second and opposite hits", "tests/verification/second_hits.py"),
         ("tests/verification/fast_curve.txt", "Curves at speed", "tests/verification/fast_curve.py"),
         ("tests/verification/stack_refinement.txt", "The stack", "tests/verification/stack_refinement.py"),
         ("tests/verification/windows_of_rungs.txt", "One window by every rung", "tests/verification/windows_of_rungs.py"),
