@@ -43,7 +43,7 @@ json count_by_depth(const scene::Scene &scene, const Summary &summary, double li
 
 /// Of a run that tells its strain: which of several impacts strained the steel most is not known.
 json count_beyond_steel(const scene::Scene &scene, const Summary &summary) {
-  const auto &limit = scene.bearing.steel.strain_limit;
+  const auto limit = scene::strain_limit(scene.bearing);
   if (!limit) return nullptr;
   const auto strain = judged_strain(summary.steel, summary.max_plastic_strain);
   if (!strain) return summary.rung == SolvedBy::reduced ? count_by_depth(scene, summary, *limit) : json(nullptr);

@@ -6,14 +6,21 @@
 
 namespace rimpact {
 
+namespace {
+
+constexpr double SteelAtPlace::*damages[] = {&SteelAtPlace::damage, &SteelAtPlace::averaged_damage,
+                                             &SteelAtPlace::locus_damage, &SteelAtPlace::averaged_locus_damage};
+
+} // namespace
+
 void keep_worst(SteelReport &worst, const SteelReport &other) {
   for (const auto &[place, found] : other) {
-    const auto [kept, is_new] = worst.emplace(place, found);
+    const auto [entry, is_new] = worst.emplace(place, found);
     if (is_new) continue;
-    const double damage = std::max(kept->second.damage, found.damage),
-                 averaged_damage = std::max(kept->second.averaged_damage, found.averaged_damage);
-    if (found.averaged > kept->second.averaged) kept->second = found;
-    kept->second.damage = damage, kept->second.averaged_damage = averaged_damage;
+    SteelAtPlace &kept = entry->second;
+    SteelAtPlace both = found.averaged > kept.averaged ? found : kept;
+    for (const auto damage : damages) both.*damage = std::max(kept.*damage, found.*damage);
+    kept = both;
   }
 }
 
@@ -38,6 +45,8 @@ nlohmann::ordered_json to_json(const SteelReport &report, std::optional<double> 
     entry["lode"] = strained ? nlohmann::ordered_json(at.lode) : nullptr;
     entry["damage"] = at.damage;
     entry["averaged_damage"] = at.averaged_damage;
+    entry["damage_bao_wierzbicki"] = at.locus_damage;
+    entry["averaged_damage_bao_wierzbicki"] = at.averaged_locus_damage;
     entry["place_mm"] = strained ? nlohmann::ordered_json{1e3 * at.place.x(), 1e3 * at.place.y(), 1e3 * at.place.z()}
                                  : nlohmann::ordered_json(nullptr);
     entry["limit"] = or_null<nlohmann::ordered_json>(limit);
@@ -58,6 +67,8 @@ SteelReport steel_report_in(const nlohmann::json &summary, const std::string &or
       at.largest = entry.at("max_plastic_strain"), at.averaged = entry.at("averaged_plastic_strain");
       at.damage = entry.at("damage");
       at.averaged_damage = entry.value("averaged_damage", at.damage); // runs of earlier versions have a point's alone
+      at.locus_damage = entry.value("damage_bao_wierzbicki", 0.0);    // as well
+      at.averaged_locus_damage = entry.value("averaged_damage_bao_wierzbicki", 0.0);
       if (!entry.at("triaxiality").is_null()) at.triaxiality = entry["triaxiality"];
       if (entry.contains("lode") && !entry["lode"].is_null()) at.lode = entry["lode"];
       if (!entry.at("place_mm").is_null())

@@ -23,19 +23,21 @@ constexpr auto choices(SteelPlace) {
 }
 
 struct SteelAtPlace {
-  double largest = 0;             ///< equivalent plastic strain of a point [-]
-  double averaged = 0;            ///< largest mean over averaging_radius [-]
-  double triaxiality = 0;         ///< at the largest strain, a mean over its plastic strain [-]; tension positive
-  double lode = 0;                ///< Lode parameter 27 J3 / (2 q^3), alike [-]: 1 tension, 0 shear, -1 compression
-  double damage = 0;              ///< largest D of a point (fe_contact/laws/crack_measure.h) [-]; a crack begins at 1
-  double averaged_damage = 0;     ///< largest mean over averaging_radius [-]
-  Eigen::Vector3d place{0, 0, 0}; ///< of the largest strain, in the mesh before it is strained [m]
+  double largest = 0;               ///< equivalent plastic strain of a point [-]
+  double averaged = 0;              ///< largest mean over averaging_radius [-]
+  double triaxiality = 0;           ///< at the largest strain, a mean over its plastic strain [-]; tension positive
+  double lode = 0;                  ///< Lode parameter 27 J3 / (2 q^3), alike [-]: 1 tension, 0 shear, -1 compression
+  double damage = 0;                ///< largest D of a point (fe_contact/laws/crack_measure.h) [-]; a crack begins at 1
+  double averaged_damage = 0;       ///< largest mean over averaging_radius [-]
+  double locus_damage = 0;          ///< as `damage`, by Bao and Wierzbicki's locus [-]
+  double averaged_locus_damage = 0; ///< as `averaged_damage` [-]
+  Eigen::Vector3d place{0, 0, 0};   ///< of the largest strain, in the mesh before it is strained [m]
 };
 
 /// Of the places that are meshed.
 using SteelReport = std::map<SteelPlace, SteelAtPlace>;
 
-/// Each place keeps the worse of two reports: by its largest averaged strain, and the larger damage.
+/// Each place keeps the worse of two reports: by its largest averaged strain, and the larger damages.
 void keep_worst(SteelReport &worst, const SteelReport &other);
 /// Whether the place belongs to the rim's side, which the question is about: all but the slider's edge.
 bool is_of_the_rim(SteelPlace place);

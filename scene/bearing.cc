@@ -81,16 +81,30 @@ double lift_over_rim(const Bearing &bearing) {
   return bearing.double_concave() ? top - edge : top - bearing.slider.bottom;
 }
 
+std::vector<std::pair<std::string, Material *>> steels_of(Bearing &bearing) {
+  std::vector<std::pair<std::string, Material *>> list{{"steel", &bearing.steel}};
+  for (auto &[part, steel] : bearing.part_steels) list.emplace_back(word(part), &steel);
+  return list;
+}
+
+std::optional<double> strain_limit(const Bearing &bearing) {
+  std::optional<double> least;
+  for (const SteelPart part : {SteelPart::rim, SteelPart::dish})
+    if (const auto &limit = bearing.steel_of(part).strain_limit; limit && !(least && *least <= *limit)) least = limit;
+  return least;
+}
+
 double slider_mass(const Bearing &bearing) {
   const auto &s = bearing.slider;
   if (bearing.double_concave()) {
     const double R = bearing.surface.R0, r = s.diameter / 2, face = R - std::sqrt(R * R - r * r); // rise of a face
     const double beside = std::numbers::pi * (r * r * face - face * face * (R - face / 3)); // a face and its plane
-    return bearing.steel.density * (std::numbers::pi * r * r * s.height - 2 * beside);
+    return bearing.steel_of(SteelPart::slider).density * (std::numbers::pi * r * r * s.height - 2 * beside);
   }
   const double radius = s.diameter / 2, height = bearing.foot.cap_radius - s.bottom; // of the socket, a spherical cap
   const double socket = std::numbers::pi * height * height * (bearing.foot.cap_radius - height / 3);
-  return bearing.steel.density * (std::numbers::pi * radius * radius * (s.top - s.bottom) - socket);
+  return bearing.steel_of(SteelPart::slider).density *
+         (std::numbers::pi * radius * radius * (s.top - s.bottom) - socket);
 }
 
 } // namespace rimpact::scene

@@ -11,6 +11,7 @@
 #include "scene/material.h"
 #include "scene/rim_connection.h"
 #include "scene/surface.h"
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -71,6 +72,14 @@ struct ContactFriction {
   bool operator==(const ContactFriction &) const = default;
 };
 
+/// Parts that may have a steel of their own, as [material.rim] beside [material.steel].
+enum class SteelPart { rim, dish, slider };
+constexpr auto choices(SteelPart) {
+  using enum SteelPart;
+  return choices_of<SteelPart>(
+      {{rim, "rim", "the rim's wall"}, {dish, "dish", "the plate"}, {slider, "slider", "upper slider and foot"}});
+}
+
 /// Keys whose values are ours and not the user's or the source's. No dimension: bearings that differ in them alone are
 /// equal.
 struct AssumedKeys {
@@ -87,10 +96,15 @@ struct Bearing {
   Pad pad;
   Foot foot;
   Material steel{200e9, 0.30, 7850.0, 360e6, 1450e6, 0.20};
+  std::map<SteelPart, Material> part_steels = {}; ///< of the parts whose steel is another
   Material ertalyte{3.2e9, 0.30, 1390.0};
   ContactFriction contact;
   AssumedKeys assumed;
 
+  const Material &steel_of(SteelPart part) const {
+    const auto own = part_steels.find(part);
+    return own == part_steels.end() ? steel : own->second;
+  }
   bool double_concave() const { return surface.concave == Concave::twice; }
   /// Dishes in series, each moved through by its share of the travel: 1 or 2.
   int dishes() const { return double_concave() ? 2 : 1; }
@@ -112,6 +126,12 @@ struct Bearing {
   void validate_rim() const;
   bool operator==(const Bearing &) const = default;
 };
+
+/// The bearing's steel and those of its parts, each with the table that has it, e.g. "rim".
+std::vector<std::pair<std::string, Material *>> steels_of(Bearing &bearing);
+/// Plastic strain that the steel of the rim's side, wall and plate, is trusted to, the lower of both [-]; none: not
+/// judged.
+std::optional<double> strain_limit(const Bearing &bearing);
 
 /// An assumed key that this kind of bearing reads, with its value as the bearing file writes it, e.g. {"rim.height_mm",
 /// "60"}.

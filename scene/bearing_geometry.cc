@@ -19,15 +19,18 @@ double mm(double metres) {
 } // shown to a micrometre
 
 void check_materials(const Bearing &b) {
-  const auto check = [](const char *name, const Material &m) {
+  const auto check = [](const std::string &name, const Material &m) {
     if (!m.tangent_modulus) return;
     require(m.yield.has_value(), "material.{}.tangent_modulus_MPa {} needs a finite yield_MPa", name,
             *m.tangent_modulus / 1e6);
     require(*m.tangent_modulus < m.E, "material.{}.tangent_modulus_MPa {} must be below E_MPa {}", name,
             *m.tangent_modulus / 1e6, m.E / 1e6);
   };
-  check("steel", b.steel);
-  if (b.steel.yield) check_hardening("steel", b.steel);
+  Bearing copy = b;
+  for (const auto &[name, steel] : steels_of(copy)) {
+    check(name, *steel);
+    if (steel->yield) check_hardening(name, *steel);
+  }
   check("ertalyte", b.ertalyte);
 }
 

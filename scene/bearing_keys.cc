@@ -37,6 +37,9 @@ void visit_hardening(KeyVisitor &v, Material &m) {
     v.number({"hardening_Q_MPa", "Q of the law"}, h.Q, mega, stress);
     v.number({"hardening_b", "b of the law"}, h.b, si, {0, 1e4, true});
   }
+  if (v.wants(!h.chaboche.values.empty()))
+    v.rows({"chaboche", "[[C in MPa, gamma], ...] of one or two backstresses, beside the curve's growth"}, h.chaboche,
+           {Column{mega, stress}, Column{si, {0, 1e5}}});
 }
 
 void visit_fracture(KeyVisitor &v, const Material &m, Fracture &f) {
@@ -46,6 +49,10 @@ void visit_fracture(KeyVisitor &v, const Material &m, Fracture &f) {
            f.D1, si, {0, 100, true});
   v.number({"fracture_D2", "D2 of that", assumption}, f.D2, si, strain);
   v.number({"fracture_D3", "D3 of that", assumption}, f.D3, si, {-100, 0});
+  if (v.wants(f.C1 > 0))
+    v.number({"fracture_C1", "plastic strain at fracture in shear, for the damage by Bao and Wierzbicki"}, f.C1, si,
+             {0, 100, true});
+  if (v.wants(f.C2 > 0)) v.number({"fracture_C2", "the same in plain tension"}, f.C2, si, {0, 100, true});
 }
 
 /// Before the numbers that follow from them.
@@ -71,6 +78,19 @@ void visit(KeyVisitor &v, StrainRate &r) {
   }
 }
 
+/// Written where heat softens the steel.
+void visit(KeyVisitor &v, PlasticHeat &h) {
+  if (!v.wants(h.model != Softening::none)) return;
+  constexpr Range positive{0, 1e5, true};
+  v.choice({"softening"}, h.model);
+  if (!v.wants(h.model == Softening::adiabatic)) return;
+  v.number({"taylor_quinney", "share of the plastic work that becomes heat", assumption}, h.share, si, {0, 1, true});
+  v.number({"heat_capacity_J_per_kg_K", "", assumption}, h.capacity, si, positive);
+  v.number({"melting_K", "rise of the temperature at which no flow stress is left", assumption}, h.melting, si,
+           positive);
+  v.number({"softening_exponent", "m of 1 - (rise / melting)^m", assumption}, h.exponent, si, {0, 10, true});
+}
+
 /// Written where the rim is not one piece with its plate.
 void visit(KeyVisitor &v, RimConnection &c) {
   using enum ConnectionKind;
@@ -92,6 +112,18 @@ void visit(KeyVisitor &v, RimConnection &c) {
     }
     v.number({"partial_factor", "gamma_M2 of welds and bolts", assumption}, c.partial_factor, si, {1, 3});
   });
+}
+
+/// Written of the parts that have a steel of their own.
+void visit_part_steels(KeyVisitor &v, Bearing &b) {
+  for (const SteelPart part : {SteelPart::rim, SteelPart::dish, SteelPart::slider}) {
+    const auto own = b.part_steels.find(part);
+    if (!v.wants(own != b.part_steels.end())) continue;
+    Material steel = b.steel_of(part);
+    const std::string table = word(part);
+    v.section(table.c_str(), [&] { visit_steel(v, steel); });
+    if (own != b.part_steels.end()) own->second = steel;
+  }
 }
 
 void visit_foot_and_pad(KeyVisitor &v, Bearing &b) {
@@ -172,6 +204,17 @@ void visit(KeyVisitor &v, ContactFriction &c) {
 
 } // namespace
 
+void visit_steel(KeyVisitor &v, Material &steel) {
+  visit_origin(v, steel);
+  visit(v, steel);
+  if (v.wants(steel.yield.has_value())) {
+    visit_hardening(v, steel), visit(v, steel.rate), visit(v, steel.heat);
+    visit_fracture(v, steel, steel.fracture);
+  }
+  v.limit({"strain_limit", "plastic strain beyond which results are doubted; inf: not judged", assumption},
+          steel.strain_limit, si, {0, 10, true});
+}
+
 void visit(KeyVisitor &v, Bearing &b) {
   v.section("surface", [&] { visit(v, b.surface); });
   v.section("slider", [&] {
@@ -191,16 +234,8 @@ void visit(KeyVisitor &v, Bearing &b) {
   });
   if (v.wants(!b.double_concave())) visit_foot_and_pad(v, b);
   v.section("material", [&] {
-    v.section("steel", [&] {
-      visit_origin(v, b.steel);
-      visit(v, b.steel);
-      if (v.wants(b.steel.yield.has_value())) {
-        visit_hardening(v, b.steel), visit(v, b.steel.rate);
-        visit_fracture(v, b.steel, b.steel.fracture);
-      }
-      v.limit({"strain_limit", "plastic strain beyond which results are doubted; inf: not judged", assumption},
-              b.steel.strain_limit, si, {0, 10, true});
-    });
+    v.section("steel", [&] { visit_steel(v, b.steel); });
+    visit_part_steels(v, b);
     if (v.wants(!b.double_concave())) v.section("ertalyte", [&] { visit(v, b.ertalyte); });
   });
   v.section("contact", [&] { visit(v, b.contact); });

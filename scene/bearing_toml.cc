@@ -6,10 +6,10 @@
 #include "scene/bearing_catalogue.h"
 #include "scene/bearing_keys.h"
 #include "scene/file_kind.h"
-#include "scene/flow_curve.h"
 #include "scene/isolator_catalogue.h"
 #include "scene/keys.h"
 #include "scene/scene_defaults.h"
+#include "scene/steel_defaults.h"
 #include "scene/surface_table.h"
 #include <algorithm>
 #include <array>
@@ -37,18 +37,6 @@ void read_table(const TomlFile &file, const std::string &prefix, SurfaceSpec &su
     throw DataError(fmt::format("{}: {} {}", file.location(key), key, error.what()));
   }
   surface.table_file.clear();
-}
-
-/// Puts the rows of the steel's file in its place.
-void read_flow_curve(const TomlFile &file, const std::string &prefix, Hardening &hardening, const std::string &folder) {
-  const std::string name = hardening.curve.file, key = prefix + "material.steel.curve";
-  if (name.empty()) return;
-  try {
-    hardening.curve.values = read_curve((fs::path(folder) / name).lexically_normal().string(), hardening.curve_kind);
-  } catch (const DataError &error) {
-    throw DataError(fmt::format("{}: {} {}", file.location(key), key, error.what()));
-  }
-  hardening.curve.file.clear();
 }
 
 /// `whole`: pad and foot are checked too.
@@ -109,8 +97,9 @@ void read_bearing(const TomlFile &file, TomlReader &reader, const std::string &p
   visit(reader, bearing);
   read_marks(file, reader, prefix, bearing);
   read_table(file, prefix, bearing.surface, folder);
-  read_flow_curve(file, prefix, bearing.steel.hardening, folder);
+  read_flow_curve(file, prefix + "material.steel.", bearing.steel.hardening, folder);
   set_dependent_defaults(file, prefix, bearing);
+  read_part_steels(file, prefix, folder, bearing);
 }
 
 bool has_own_bearing(const TomlFile &file) {

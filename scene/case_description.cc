@@ -88,6 +88,13 @@ std::string load_sentence(const Scene &scene) {
   return "load: " + load_line(scene) + "\n";
 }
 
+std::string foot_sentence(const Bearing &bearing) {
+  const RimConnection &c = bearing.rim.connection;
+  const std::string held = fmt::format("rim's foot: {}", in_words(c));
+  if (c.kind != ConnectionKind::monolithic) return held + ", judged after every finite-element run\n";
+  return held + ", assumed by solids and laws alike; welds or bolts are to be named in bearing.rim.connection\n";
+}
+
 std::string describe_case(const Scene &scene, bool load_is_read) {
   return fmt::format("bearing: {}\n{}motion: {}\nimpact element: {}\n", bearing_line(scene),
                      load_is_read ? load_sentence(scene) : "", motion_line(scene), element_line(scene));

@@ -11,6 +11,8 @@ std::string describe_case(const Scene &scene, bool load_is_read = true);
 std::string load_sentence(const Scene &scene);
 /// "rim 60 mm high, 40 mm thick": the one order in which a rim's dimensions are said.
 std::string rim_in_words(const Bearing &bearing);
+/// "rim's foot: ...\n": what holds the rim on its plate; of a rim in one piece with it, that the solids assume so.
+std::string foot_sentence(const Bearing &bearing);
 /// The impact element alone: its law, numbers and where they come from.
 std::string element_line(const Scene &scene);
 /// The same as `load`, `motion` and `impact_element` (law, every number of it, source, fitted_from_m_per_s,

@@ -23,16 +23,20 @@ double largest_acceleration(const Scene &scene) {
 
 /// A value and where it belongs, both in the file's unit.
 struct Usual {
-  const char *key, *unit;
+  std::string key;
+  const char *unit;
   double value, low, high;
 };
 
 void doubt_materials(const Bearing &b, std::vector<std::string> &found) {
-  std::vector<Usual> values{{"steel.E_MPa", "MPa", b.steel.E / 1e6, 5e4, 4e5},
-                            {"steel.density_kg_per_m3", "kg/m3", b.steel.density, 2e3, 2e4},
-                            {"ertalyte.E_MPa", "MPa", b.ertalyte.E / 1e6, 1e2, 4e5},
+  std::vector<Usual> values{{"ertalyte.E_MPa", "MPa", b.ertalyte.E / 1e6, 1e2, 4e5},
                             {"ertalyte.density_kg_per_m3", "kg/m3", b.ertalyte.density, 5e2, 2e4}};
-  if (b.steel.yield) values.push_back({"steel.yield_MPa", "MPa", *b.steel.yield / 1e6, 100, 2000});
+  Bearing copy = b;
+  for (const auto &[table, steel] : steels_of(copy)) {
+    values.push_back({table + ".E_MPa", "MPa", steel->E / 1e6, 5e4, 4e5});
+    values.push_back({table + ".density_kg_per_m3", "kg/m3", steel->density, 2e3, 2e4});
+    if (steel->yield) values.push_back({table + ".yield_MPa", "MPa", *steel->yield / 1e6, 100, 2000});
+  }
   for (const auto &v : values)
     if (v.value < v.low || v.value > v.high)
       found.push_back(fmt::format("bearing.material.{} = {:g}, where {:g} to {:g} {} is usual: is its unit {}?", v.key,

@@ -111,6 +111,12 @@ std::optional<double> yield_of_curve(const Material &material) {
 
 void check_hardening(const std::string &name, const Material &material) {
   const Hardening &h = material.hardening;
+  const auto &backstress = h.chaboche;
+  require(backstress.file.empty(),
+          "material.{}.chaboche \"{}\" must be rows [C in MPa, gamma]; it is read from no file", name,
+          backstress.file.substr(0, 60));
+  require(backstress.values.size() <= most_backstresses, "material.{}.chaboche has {} rows; it has at most {}", name,
+          backstress.values.size(), most_backstresses);
   std::vector<std::string> missing;
   const auto need = [&](double value, const char *key) {
     if (!(value > 0)) missing.emplace_back(key);

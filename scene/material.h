@@ -46,6 +46,26 @@ constexpr auto choices(CurveKind) {
                                 {engineering, "engineering", "strain and stress of a tensile test, elastic part too"}});
 }
 
+/// Whether the heat of plastic work softens the steel (fe_contact/laws/softening.h).
+enum class Softening { none, adiabatic };
+constexpr auto choices(Softening) {
+  using enum Softening;
+  return choices_of<Softening>(
+      {{none, "none"}, {adiabatic, "adiabatic", "by the heat of its plastic work, none of which is led away"}});
+}
+
+/// Constants of the softening.
+struct PlasticHeat {
+  Softening model = Softening::none;
+  double share = 0.9;    ///< of the plastic work that becomes heat, Taylor and Quinney (1934) [-], 0 < share <= 1
+  double capacity = 460; ///< [J/(kg K)], > 0
+  double melting = 1500; ///< temperature over the initial one at which nothing is left [K], > 0
+  double exponent = 1;   ///< m of Johnson and Cook (1983) [-], > 0
+  bool operator==(const PlasticHeat &) const = default;
+};
+
+constexpr int most_backstresses = 2;
+
 /// Rows and constants of the curves; the law at hand reads its own.
 struct Hardening {
   HardeningLaw law = HardeningLaw::bilinear;
@@ -57,6 +77,8 @@ struct Hardening {
   double n = 0;  ///< Swift, Ludwik [-], 0 < n <= 1
   double Q = 0;  ///< Voce: growth of the stress without end of strain [Pa], > 0
   double b = 0;  ///< Voce [-], > 0
+  /// Of each backstress C [Pa], > 0, and gamma [-], >= 0; none: hardening is isotropic (fe_contact/laws/backstress.h).
+  Rows chaboche = {};
   bool operator==(const Hardening &) const = default;
 };
 
@@ -67,8 +89,19 @@ struct Fracture {
   double D1 = 0.0705; ///< [-], > 0
   double D2 = 1.732;  ///< [-], >= 0
   double D3 = -0.54;  ///< [-], <= 0
+  // Of Bao and Wierzbicki's locus beside it; 0: not given, an estimate from the above (fracture_locus).
+  double C1 = 0; ///< plastic strain at fracture in shear [-], > 0
+  double C2 = 0; ///< in plain tension [-], > 0
   bool operator==(const Fracture &) const = default;
 };
+
+/// Plastic strains at fracture in shear and in plain tension that Bao and Wierzbicki's locus goes through [-].
+struct FractureLocus {
+  double shear, tension;
+};
+/// As given, or estimated: in tension Johnson and Cook's at a triaxiality of 1/3; in shear where the largest shear
+/// stress is that of tension at fracture, tension (sqrt(3)/2)^(1/n) for a flow stress K eps^n, n = 0.2 (Lee 2005).
+FractureLocus fracture_locus(const Fracture &fracture);
 
 constexpr const char *no_grade = "none"; ///< as files write it
 
@@ -84,6 +117,7 @@ struct Material {
 
   StrainRate rate = {};     ///< of steel that yields
   Hardening hardening = {}; ///< the same
+  PlasticHeat heat = {};    ///< the same
   Fracture fracture = {};
   std::string grade = no_grade; ///< that the numbers were taken from (scene/steel_grades.h)
   double hardness_HB = 0;       ///< that the yield stress was estimated from, Brinell; 0: it was not

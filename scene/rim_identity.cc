@@ -35,13 +35,18 @@ Material force_of(Material steel) {
   return steel;
 }
 
+void leave_the_force(Bearing &bearing) {
+  for (const auto &[table, steel] : steels_of(bearing)) *steel = force_of(*steel);
+}
+
 /// What shapes the force of an impact; all else is as in a bearing by default.
 Bearing rim_of(const Bearing &bearing) {
   Bearing rim;
   rim.name.clear();
   rim.surface = bearing.surface, rim.slider = bearing.slider, rim.rim = bearing.rim, rim.plate = bearing.plate;
   rim.rim.connection = {}; // whether it bears the force is another question
-  rim.steel = force_of(bearing.steel);
+  rim.steel = bearing.steel, rim.part_steels = bearing.part_steels;
+  leave_the_force(rim);
   rim.contact.rim = bearing.contact.rim;
   rim.contact.rim_slow = bearing.contact.rim_slow;
   if (rim.contact.rim_slow) rim.contact.rate = bearing.contact.rate;
@@ -81,7 +86,8 @@ std::string rim_differences(const std::string &a, const std::string &b) {
 std::string bearing_identity(const Bearing &bearing) {
   Bearing whole = bearing;
   whole.name.clear();
-  whole.steel = force_of(whole.steel), whole.rim.connection = {}, whole.assumed = {};
+  leave_the_force(whole);
+  whole.rim.connection = {}, whole.assumed = {};
   return digest_of_values(whole);
 }
 

@@ -2,7 +2,7 @@
 #include "scene/assumptions.h"
 #include "scene/bearing_catalogue.h"
 #include "scene/flow_curve.h"
-#include "scene/steel_grades.h"
+#include "scene/steel_defaults.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,105 +10,6 @@
 
 namespace rimpact::scene {
 namespace {
-
-/// Material keys that hang together: no yield, no slope past it; yield alone is perfectly plastic.
-void settle(const TomlFile &file, const std::string &prefix, Material &m) {
-  const std::string key = prefix + "tangent_modulus_MPa";
-  if (!m.yield || m.hardening.law != HardeningLaw::bilinear)
-    m.tangent_modulus.reset();
-  else if (!m.tangent_modulus && file.find(key))
-    throw InputError(fmt::format("{}: {} inf must be below E_MPa {:g}", file.location(key), key, m.E / 1e6));
-  else if (!m.tangent_modulus)
-    m.tangent_modulus = 0.0;
-}
-
-/// Marks a number of the steel that the file leaves out: an assumption, or not.
-void mark(Bearing &b, const std::string &key, bool assumed) {
-  const std::string path = "material.steel." + key;
-  if (assumed)
-    b.assumed.keys.insert(path);
-  else
-    b.assumed.keys.erase(path);
-}
-
-/// What a grade gives and the file does not. The thickness is the rim's.
-void settle_grade(const TomlFile &file, const std::string &prefix, Bearing &b) {
-  Material &steel = b.steel;
-  const std::string table = prefix + "material.steel.";
-  const auto given = [&](const std::string &key) { return file.find(table + key) != nullptr; };
-  if (!given("grade") || !steel.has_grade()) return;
-  const SteelGrade &grade = steel_grade(steel.grade);
-  Material named = steel;
-  try {
-    named = steel_of(grade, b.rim.thickness, given("yield_MPa") || given("hardness_HB") ? steel.yield : std::nullopt);
-  } catch (const InputError &error) {
-    throw InputError(
-        fmt::format("{}: {}grade \"{}\": {}", file.location(table + "grade"), table, grade.name, error.what()));
-  }
-  const auto take = [&](const char *key, auto &target, const auto &value) {
-    if (!given(key)) target = value;
-  };
-  take("E_MPa", steel.E, named.E), take("nu", steel.nu, named.nu);
-  take("density_kg_per_m3", steel.density, named.density), take("yield_MPa", steel.yield, named.yield);
-  take("strain_limit", steel.strain_limit, named.strain_limit);
-  take("rate_D_per_s", steel.rate.D, named.rate.D), take("rate_q", steel.rate.q, named.rate.q);
-  take("fracture_D1", steel.fracture.D1, named.fracture.D1), take("fracture_D2", steel.fracture.D2, named.fracture.D2);
-  take("fracture_D3", steel.fracture.D3, named.fracture.D3);
-  for (const auto &[key, number] : grade.numbers)
-    if (const bool estimated = key == "yield_MPa" && given("hardness_HB");
-        !given(key) && !is_of_the_curve(key) && !estimated)
-      mark(b, key, !number.checked);
-  if (given("hardening") || given("curve") || given("tangent_modulus_MPa")) return;
-  steel.hardening.law = named.hardening.law;
-  take("hardening_Q_MPa", steel.hardening.Q, named.hardening.Q),
-      take("hardening_b", steel.hardening.b, named.hardening.b);
-  for (const char *key : {"hardening_Q_MPa", "hardening_b"})
-    if (!given(key)) mark(b, key, true); // of an estimated curve
-}
-
-/// The yield stress estimated from a hardness, where it is not given.
-void settle_hardness(const TomlFile &file, const std::string &prefix, Bearing &b) {
-  Material &steel = b.steel;
-  const std::string key = prefix + "material.steel.hardness_HB", yield = prefix + "material.steel.yield_MPa";
-  if (!file.find(key)) return;
-  const double estimate = yield_of_hardness(steel.hardness_HB);
-  constexpr double rounding = 1e-3;
-  if (file.find(yield) && (!steel.yield || std::abs(*steel.yield / estimate - 1) > rounding))
-    throw InputError(fmt::format("{}: {} {:g} stands beside yield_MPa, which it would estimate at {:.0f}; give one",
-                                 file.location(key), key, steel.hardness_HB, estimate / 1e6));
-  if (file.find(yield)) return;
-  steel.yield = estimate;
-  mark(b, "yield_MPa", true);
-}
-
-/// The law of hardening, and the yield stress where its curve has one of its own. A curve alone chooses `table`.
-void settle_hardening(const TomlFile &file, const std::string &prefix, Bearing &b) {
-  Material &steel = b.steel;
-  const std::string key = prefix + "material.steel.", curve = key + "curve", yield = "material.steel.yield_MPa";
-  if (file.find(curve) && !file.find(key + "hardening")) steel.hardening.law = HardeningLaw::table;
-  if (!steel.yield) return;
-  std::optional<double> own;
-  try {
-    check_hardening("steel", steel);
-    own = yield_of_curve(steel);
-  } catch (const InputError &error) {
-    throw InputError(fmt::format("{}: {}", file.location(file.find(curve) ? curve : key + "hardening"), error.what()));
-  }
-  if (!own) return;
-  if (file.find(key + "hardness_HB"))
-    throw InputError(fmt::format("{}: {}hardness_HB stands beside a curve, which has a yield stress of its own, "
-                                 "{:g} MPa; give one",
-                                 file.location(key + "hardness_HB"), key, *own / 1e6));
-  constexpr double rounding = 1e-3;
-  if (!file.find(prefix + yield))
-    mark(b, "yield_MPa", is_marked(file, curve));
-  else if (std::abs(*steel.yield / *own - 1) > rounding)
-    throw InputError(fmt::format("{}: {} {:g} is not the {:g} MPa that the curve of hardening \"{}\" begins at; leave "
-                                 "it out",
-                                 file.location(prefix + yield), prefix + yield, *steel.yield / 1e6, *own / 1e6,
-                                 word(steel.hardening.law)));
-  steel.yield = own;
-}
 
 /// What became of a tensile test's rows.
 void remark_on_necking(Scene &scene) {
@@ -177,11 +78,8 @@ void remark_on_isolator(const TomlFile &file, Scene &scene) {
 } // namespace
 
 void set_dependent_defaults(const TomlFile &file, const std::string &prefix, Bearing &bearing) {
-  settle_hardness(file, prefix, bearing);
-  settle_grade(file, prefix, bearing);
-  settle_hardening(file, prefix, bearing);
-  settle(file, prefix + "material.steel.", bearing.steel);
-  settle(file, prefix + "material.ertalyte.", bearing.ertalyte);
+  settle_steel(file, prefix, {bearing.steel, "material.steel.", bearing.rim.thickness}, bearing.assumed);
+  settle_slope(file, prefix + "material.ertalyte.", bearing.ertalyte);
   if (bearing.surface.kind == SurfaceKind::sphere) bearing.surface.a = bearing.surface.R0;
   const std::string cap = "foot.cap_radius_mm";
   if (!file.find(prefix + cap) && bearing.assumed.keys.count(cap) > 0) settle_socket(bearing);

@@ -36,6 +36,10 @@ constexpr std::array parts{ScenePart{"excitation.", "excitation.kind", true},
                            ScenePart{"bearing.pad.", "bearing.surface.concave"},
                            ScenePart{"bearing.foot.", "bearing.surface.concave"},
                            ScenePart{"bearing.material.steel.rate_", "bearing.material.steel.rate"},
+                           ScenePart{"bearing.material.steel.softening_", "bearing.material.steel.softening"},
+                           ScenePart{"bearing.material.steel.taylor_quinney", "bearing.material.steel.softening"},
+                           ScenePart{"bearing.material.steel.heat_", "bearing.material.steel.softening"},
+                           ScenePart{"bearing.material.steel.melting_K", "bearing.material.steel.softening"},
                            ScenePart{"bearing.material.steel.hardening_", "bearing.material.steel.hardening"},
                            ScenePart{"bearing.material.steel.curve", "bearing.material.steel.hardening"},
                            ScenePart{"bearing.material.steel.tangent_modulus_MPa", "bearing.material.steel.hardening"},
@@ -46,7 +50,16 @@ constexpr std::array parts{ScenePart{"excitation.", "excitation.kind", true},
                            ScenePart{"bearing.contact.", "bearing.contact.pad_foot"},
                            ScenePart{"model.own_mesh.", "model.own_mesh.file"}};
 
-const ScenePart *part_of(const std::string &path) {
+/// Of a part's steel as of the bearing's own: "bearing.material.rim.rate" as "bearing.material.steel.rate".
+std::string of_the_bearings_steel(const std::string &path) {
+  for (const auto &part : words<SteelPart>())
+    if (const std::string table = "bearing.material." + part + "."; path.starts_with(table))
+      return "bearing.material.steel." + path.substr(table.size());
+  return path;
+}
+
+const ScenePart *part_of(const std::string &key) {
+  const std::string path = of_the_bearings_steel(key);
   const auto found =
       std::find_if(parts.begin(), parts.end(), [&](const ScenePart &part) { return path.starts_with(part.prefix); });
   return found == parts.end() ? nullptr : &*found;
@@ -81,7 +94,7 @@ bool has_no_effect(const std::string &path, const Scene &scene) {
 bool is_read_before(const std::string &path) {
   constexpr std::array keys{"reduced.calibration", "bearing.surface.file", "bearing.material.steel.grade",
                             "bearing.material.steel.hardness_HB"};
-  return std::find(keys.begin(), keys.end(), path) != keys.end();
+  return std::find(keys.begin(), keys.end(), of_the_bearings_steel(path)) != keys.end();
 }
 
 void visit_all(KeyVisitor &visitor, Scene &scene) {

@@ -41,11 +41,12 @@ PulseScales scales_of(const char *built_in, const MainTarget &target, const std:
 
 /// The windows' scene with steel that knows its rate where theirs does not, and the other way round.
 scene::Scene with_other_steel(scene::Scene window) {
-  scene::Material &steel = window.bearing.steel;
-  if (steel.knows_rate())
-    steel.rate.model = scene::RateModel::none;
-  else
-    steel.rate = fast_rate(steel);
+  const bool is_fast = window.bearing.steel.knows_rate();
+  for (const auto &[table, steel] : steels_of(window.bearing))
+    if (is_fast)
+      steel->rate.model = scene::RateModel::none;
+    else
+      steel->rate = fast_rate(*steel);
   return window;
 }
 

@@ -50,6 +50,8 @@ nlohmann::json table_of(const scene::Scene &scene, const planning::Plan &plan, c
   table.update(scene::case_json(scene));
   table["assumptions"] = nlohmann::json::object();
   for (const auto &item : scene::assumptions(scene.bearing)) table["assumptions"][item.key] = item.value;
+  if (const auto &foot = scene.bearing.rim.connection; !scene.rigid_bodies())
+    table["rim_foot"] = {{"connection", word(foot.kind)}, {"in_words", in_words(foot)}};
   table["warnings"] = console.warnings();
   if (!own.table.is_null()) table["own_mesh"] = own.table;
   table["refusal"] = refusal ? nlohmann::json(*refusal) : nlohmann::json(nullptr);
@@ -60,6 +62,7 @@ std::string text_of(const scene::Scene &scene, const planning::Plan &plan, const
   return fmt::format("{}: lift at L_c {:.2f} mm; geometry can be built and nothing collides\n", scene.name,
                      1e3 * scene::lift(scene.bearing, scene.bearing.lateral_capacity())) +
          scene::describe_case(scene) + own.sentence + planning::describe(plan) +
+         (scene.rigid_bodies() ? "" : scene::foot_sentence(scene.bearing)) +
          sentence_of(scene::assumptions(scene.bearing));
 }
 

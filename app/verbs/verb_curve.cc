@@ -5,6 +5,7 @@
 #include "app/verbs/catalogue.h"
 #include "app/verbs/fe_verb_texts.h"
 #include "fe_contact/drive/curve_push.h"
+#include "fe_contact/drive/fast_curve.h"
 #include "io/files/file.h"
 #include "io/files/json_text.h"
 #include "scene/scene.h"
@@ -20,7 +21,8 @@ namespace {
 struct CurveOptions {
   std::string bearing = "shfps-225", folder;
   fe::CurveOrder order;
-  std::optional<double> mass; ///< --mass-kg; none: the scene's
+  std::optional<double> mass;     ///< --mass-kg; none: the scene's
+  std::optional<double> at_speed; ///< of the steel's rate [m/s]; none: the curve of static steel alone
   std::string mass_from;
 };
 
@@ -49,6 +51,25 @@ nlohmann::json answer_of(const CurveOptions &options, const reduced::RimCurveFil
            {{"mesh_force", file.errors.mesh_force ? nlohmann::json(*file.errors.mesh_force) : nlohmann::json()},
             {"left_out_rebound", file.errors.left_out_rebound}}},
           {"wall_time_s", seconds}};
+}
+
+/// Writes the curve at the speed that is asked for; what it is of, or null.
+nlohmann::json write_fast_curve(const CurveOptions &options, const reduced::RimCurveFile &slow,
+                                const scene::Bearing &bearing) {
+  if (!options.at_speed) return nullptr;
+  const fe::FastCurve fast = fe::fast_curve(slow, bearing, options.order.mass, *options.at_speed);
+  const std::string file = options.folder + "/curve-fast.h5";
+  reduced::write_rim_curve(fast.file, file);
+  return {{"file", file}, {"speed_m_s", *options.at_speed}, {"rate_per_s", fast.rate}, {"factor", fast.factor}};
+}
+
+std::string describe_fast(const nlohmann::json &fast) {
+  if (fast.is_null()) return {};
+  return fmt::format(
+      "at {:g} m/s the rim strains at {:.3g} 1/s, its flow stress is {:.3f} times the static one: {} is the "
+      "curve of that speed\n",
+      fast["speed_m_s"].get<double>(), fast["rate_per_s"].get<double>(), fast["factor"].get<double>(),
+      fast["file"].get<std::string>());
 }
 
 /// "18.72 mm along the dish and 18.29 mm held"; of one path that one alone.
@@ -94,10 +115,10 @@ void curve(CurveOptions &options, Console &console) {
   if (console.mesh >= 0) scene.model.mesh = console.mesh;
   scene.validate();
   fe::check_supported(scene);
-  if (scene.bearing.steel.knows_rate())
-    console.warn(
-        fmt::format("the curve is pushed infinitely slowly: the steel's law of the rate ({}) has no part in it",
-                    in_words(scene.bearing.steel.rate)));
+  if (scene.bearing.steel.knows_rate() && !options.at_speed)
+    console.warn(fmt::format(
+        "the curve is pushed infinitely slowly: the steel's law of the rate ({}) has no part in it (--at-speed)",
+        in_words(scene.bearing.steel.rate)));
   if (options.folder.empty()) options.folder = default_folder(scene.bearing.name) + "-curve";
   const std::filesystem::path folder(options.folder);
   if (std::filesystem::exists(folder / "curve.h5") && !console.force)
@@ -118,10 +139,11 @@ void curve(CurveOptions &options, Console &console) {
   line.finish();
   reduced::write_rim_curve(file, (folder / "curve.h5").string());
   reduced::write_rim_curve_csv(file, (folder / "curve.csv").string());
-  const auto answer =
+  auto answer =
       answer_of(options, file, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  answer["fast"] = write_fast_curve(options, file, scene.bearing);
   write_atomically(json_text(answer), (folder / "curve.json").string());
-  console.data(console.json ? json_text(answer) : describe(answer));
+  console.data(console.json ? json_text(answer) : describe(answer) + describe_fast(answer["fast"]));
 }
 
 void add_curve(CLI::App &verb, Console &console) {
@@ -133,6 +155,9 @@ void add_curve(CLI::App &verb, Console &console) {
   verb.add_option("--mass-kg", options->mass, "supported mass that --speed is of (default: the scene's)")
       ->check(CLI::Range(1.0, 1e9));
   verb.add_option("--speed", options->order.speed, "fastest approach to be stopped [m/s]")
+      ->check(CLI::Range(1e-3, 10.0));
+  verb.add_option("--at-speed", options->at_speed,
+                  "beside it, curve-fast.h5 of the steel's rate at this approach speed [m/s]")
       ->check(CLI::Range(1e-3, 10.0));
   verb.add_option("--unloadings", options->order.unloadings, "depths to unload from")->check(CLI::Range(3, 100));
   verb.add_flag("--held", options->order.held_only,

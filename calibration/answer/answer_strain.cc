@@ -94,9 +94,10 @@ std::optional<AnswerStrain> answer_strain(const Calibration &c, const std::vecto
         slider.take(at.averaged, run->approach_speed(), place);
   }
   const auto &bearing = c.scene.bearing;
-  if (s.rows.empty() || !bearing.steel.strain_limit) return {};
+  const auto limit = scene::strain_limit(bearing);
+  if (s.rows.empty() || !limit) return {};
   std::sort(s.rows.begin(), s.rows.end(), [](const auto &a, const auto &b) { return a.speed < b.speed; });
-  s.limit = *bearing.steel.strain_limit;
+  s.limit = *limit;
   s.limit_is_assumption = bearing.assumed.keys.empty() || bearing.assumed.keys.count("material.steel.strain_limit") > 0;
   for (const auto &row : s.rows)
     if (row.strain.largest > s.largest.largest) s.largest = row.strain;

@@ -1,5 +1,7 @@
 #include "fe_contact/drive/state_fields.h"
 
+#include <algorithm>
+
 namespace rimpact::fe {
 namespace {
 
@@ -13,8 +15,17 @@ void visit(StateVisitor &v, SolidHistory &history) {
   v.column("triaxiality", history, &J2State::triaxiality, size);
   v.column("lode", history, &J2State::lode, size);
   v.column("damage", history, &J2State::damage, positive);
-  v.column("overstress", history, &J2State::overstress, {0, 1e12});
-  v.column("viscous_work", history, &J2State::viscous_work, {0, 1e15});
+  v.column("locus_damage", history, &J2State::locus_damage, positive);
+  v.column("overstress", history, &J2State::overstress, {-1e12, 1e12});
+  v.column("viscous_work", history, &J2State::viscous_work, {-1e15, 1e15});
+  bool kinematic = std::any_of(history.begin(), history.end(),
+                               [](const J2State &point) { return !point.backstress.front().isZero(0); });
+  v.flag("kinematic", kinematic);
+  if (!kinematic) return;
+  for (std::size_t k = 0; k < Backstress{}.size(); ++k)
+    v.rows("backstress" + std::to_string(k), history, 6, [k](J2State &point) { return point.backstress[k].data(); },
+           {-1e12, 1e12});
+  v.column("back_work", history, &J2State::back_work, {-1e15, 1e15});
 }
 
 void visit(StateVisitor &v, SolidEnergies &energies) {

@@ -12,7 +12,7 @@ using meshes::Volume;
 /// A quadrature point of the steel.
 struct SteelPoint {
   Vector3d place;
-  double volume, strain, damage;
+  double volume, strain, damage, locus_damage;
   std::size_t index; ///< in the history
 };
 
@@ -43,18 +43,19 @@ private:
 
 /// Weighted means of a body about a place of it.
 struct Means {
-  double strain, damage;
+  double strain, damage, locus_damage;
 };
 Means averaged(const std::vector<SteelPoint> &body, const Vector3d &middle) {
   constexpr double reach = averaging_radius * averaging_radius;
-  double volume = 0, strain = 0, damage = 0;
+  double volume = 0, strain = 0, damage = 0, locus_damage = 0;
   for (const SteelPoint &p : body) {
     const double share = 1 - (p.place - middle).squaredNorm() / reach;
     if (!(share > 0)) continue;
     const double weight = share * share * p.volume;
-    volume += weight, strain += weight * p.strain, damage += weight * p.damage;
+    volume += weight, strain += weight * p.strain;
+    damage += weight * p.damage, locus_damage += weight * p.locus_damage;
   }
-  return {strain / volume, damage / volume};
+  return {strain / volume, damage / volume, locus_damage / volume};
 }
 
 SteelAtPlace worst_of(std::vector<SteelPoint> points, const std::vector<SteelPoint> &body,
@@ -70,11 +71,17 @@ SteelAtPlace worst_of(std::vector<SteelPoint> points, const std::vector<SteelPoi
   result.lode = history[largest.index].lode / largest.strain;
   for (const SteelPoint &p : points) {
     result.damage = std::max(result.damage, p.damage);
-    if (!(p.strain > result.averaged || p.damage > result.averaged_damage))
-      continue; // about lower points no mean is sought
+    result.locus_damage = std::max(result.locus_damage, p.locus_damage);
+    // About lower points no mean is sought.
+    const bool higher = p.strain > result.averaged || p.damage > result.averaged_damage;
+    const bool higher_by_locus = p.locus_damage > result.averaged_locus_damage;
+    if (!higher && !higher_by_locus) continue;
     const Means means = averaged(body, p.place);
-    result.averaged = std::max(result.averaged, means.strain);
-    result.averaged_damage = std::max(result.averaged_damage, means.damage);
+    if (higher) {
+      result.averaged = std::max(result.averaged, means.strain);
+      result.averaged_damage = std::max(result.averaged_damage, means.damage);
+    }
+    if (higher_by_locus) result.averaged_locus_damage = std::max(result.averaged_locus_damage, means.locus_damage);
   }
   return result;
 }
@@ -98,7 +105,8 @@ SteelReport steel_by_place(const Discretisation &space, const scene::Bearing &be
       const auto place = places.of(space.volumes[c], x);
       if (!place) continue;
       const std::size_t index = c * n_points + q;
-      const SteelPoint point{x, space.full.weights[index], history[index].alpha, history[index].damage, index};
+      const J2State &state = history[index];
+      const SteelPoint point{x, space.full.weights[index], state.alpha, state.damage, state.locus_damage, index};
       bodies[body_of(space.volumes[c])].push_back(point);
       by_place[{*place, body_of(space.volumes[c])}].push_back(point);
     }

@@ -6,19 +6,27 @@
 #include <algorithm>
 
 namespace rimpact::fe {
+namespace {
+
+/// The system's matrix is symmetric: Newton's rate bears the rest.
+void make_symmetric(Matrix6 &tangent) {
+  tangent = (0.5 * (tangent + tangent.transpose())).eval();
+}
+
+} // namespace
+
 Solid::Solid(const Discretisation &space, const scene::Bearing &bearing)
-    : Solid(space, {{meshes::Volume::plate, bearing.steel},
-                    {meshes::Volume::rim, bearing.steel},
-                    {meshes::Volume::foot, bearing.steel},
-                    {meshes::Volume::upper_slider, bearing.steel},
+    : Solid(space, {{meshes::Volume::plate, bearing.steel_of(scene::SteelPart::dish)},
+                    {meshes::Volume::rim, bearing.steel_of(scene::SteelPart::rim)},
+                    {meshes::Volume::foot, bearing.steel_of(scene::SteelPart::slider)},
+                    {meshes::Volume::upper_slider, bearing.steel_of(scene::SteelPart::slider)},
                     {meshes::Volume::pad, bearing.ertalyte}}) {}
 
 Solid::Solid(const Discretisation &space, const std::map<meshes::Volume, scene::Material> &materials)
     : space_(space), kept_(space.n_cells) {
   for (const auto &[volume, material] : materials)
-    laws_.emplace(
-        volume,
-        SolidLaw{HenckyJ2::from(material), HenckyVolumetric::from(material), {material.fracture}, material.density});
+    laws_.emplace(volume, SolidLaw{HenckyJ2::from(material), HenckyVolumetric::from(material),
+                                   CrackMeasure(material.fracture), material.density});
 }
 
 std::vector<std::vector<int>> Solid::couplings(const Equations &equations) const {
@@ -68,16 +76,17 @@ void Solid::remember(std::size_t c, const SolidHistory &old, SolidHistory &next,
     if (!(flow > 0)) continue;
     double at_point = 0;
     for (int r = 0; r < n_reduced; ++r) at_point += space_.reduced_to_full[q * n_reduced + r] * mean[r];
-    const double triaxiality = at_point / (mises[q] + now.overstress);
+    const double triaxiality = at_point / mises[q];
     now.triaxiality += triaxiality * flow;
     now.damage += flow / crack.fracture_strain(triaxiality);
+    now.locus_damage += flow / crack.locus_strain(triaxiality);
   }
 }
 
-double Solid::viscous_work(std::size_t c, const SolidHistory &history) const {
+double Solid::work_beside_the_curve(std::size_t c, const SolidHistory &history) const {
   double sum = 0;
   for (std::size_t point = c * space_.full.n_points; point < (c + 1) * space_.full.n_points; ++point)
-    sum += space_.full.weights[point] * history[point].viscous_work;
+    sum += space_.full.weights[point] * (history[point].viscous_work + history[point].back_work);
   return sum;
 }
 
@@ -92,13 +101,14 @@ Solid::Answer Solid::answer(std::size_t c, const std::array<Matrix3, n> &F, cons
   for (int q = 0; q < n; ++q) {
     const std::size_t point = c * n + q;
     const double weight = space_.full.weights[point];
-    const IsochoricResult isochoric = law.isochoric.step(old[point], F[q], dt, with_tangent);
+    IsochoricResult isochoric = law.isochoric.step(old[point], F[q], dt, with_tangent);
     if (!isochoric.admissible) return result;
     next[point] = isochoric.state;
     result.flows = result.flows || isochoric.state.alpha > old[point].alpha;
-    mises[q] = law.isochoric.hardening.stress(isochoric.state.alpha); // where it flows, without a rate
+    mises[q] = isochoric.mises;
     result.energies.elastic += weight * isochoric.energy;
     result.energies.plastic += weight * law.isochoric.hardening.work(isochoric.state.alpha);
+    if (with_tangent && !law.isochoric.backstress.none()) make_symmetric(isochoric.response.tangent);
     kernel.add(&space_.full.gradients[point * m], F[q], weight, isochoric.response, with_tangent);
   }
   for (int q = 0; q < n_reduced; ++q) {
@@ -112,7 +122,7 @@ Solid::Answer Solid::answer(std::size_t c, const std::array<Matrix3, n> &F, cons
     kernel.add(G, at_point, weight, volumetric.response, with_tangent);
   }
   kernel.finish();
-  if (!law.isochoric.rate.none()) result.energies.plastic += viscous_work(c, next);
+  if (!law.isochoric.follows_its_curve()) result.energies.plastic += work_beside_the_curve(c, next);
   if (result.flows) remember(c, old, next, mises.data(), mean.data());
   result.admissible = true;
   return result;

@@ -33,7 +33,7 @@ struct SolidLaw {
 
 class Solid {
 public:
-  /// All volumes of a bearing's mesh are steel but the pad (Ertalyte).
+  /// All volumes of a bearing's mesh are steel, each that of its part, but the pad (Ertalyte).
   Solid(const Discretisation &space, const scene::Bearing &bearing);
   Solid(const Discretisation &space, const std::map<meshes::Volume, scene::Material> &materials);
 
@@ -69,9 +69,10 @@ private:
   template <int n>
   Answer answer(std::size_t cell, const std::array<Matrix3, n> &F, const SolidHistory &old, SolidHistory &next,
                 double dt, CellKernel<n> &kernel, bool with_tangent) const;
-  double viscous_work(std::size_t cell, const SolidHistory &history) const; ///< of a cell's points [J]
-  /// Adds what the step did to the steel of a cell that flows; `mises`, `mean`: Kirchhoff stresses at its full points,
-  /// without overstress, and at its reduced ones [Pa].
+  /// Plastic work of a cell's points that the hardening curve does not know [J].
+  double work_beside_the_curve(std::size_t cell, const SolidHistory &history) const;
+  /// Adds what the step did to the steel of a cell that flows; `mises`, `mean`: Kirchhoff stresses at its full points
+  /// and at its reduced ones [Pa].
   void remember(std::size_t cell, const SolidHistory &old, SolidHistory &next, const double *mises,
                 const double *mean) const;
   template <int n>

@@ -1,21 +1,40 @@
-/// How near ductile steel is to a crack: Johnson and Cook's fracture strain (Engineering Fracture Mechanics 21, 1985),
-///   eps_f(eta) = D1 + D2 exp(D3 eta),   D = integral of d alpha / eps_f,
-/// eta the triaxiality, mean stress over von Mises stress; tension positive. A crack begins at D = 1. Below eta = -1/3
-/// nothing cracks (Bao and Wierzbicki, Engineering Fracture Mechanics 72, 2005). Rate and temperature are left out.
+/// How near ductile steel is to a crack, by two loci of the plastic strain at fracture over the triaxiality eta, mean
+/// stress over von Mises stress, tension positive:
+///   Johnson and Cook (Engineering Fracture Mechanics 21, 1985)   D1 + D2 exp(D3 eta)
+///   Bao and Wierzbicki (International Journal of Mechanical Sciences 46, 2004, as Lee 2005 has it), with eta_0 = 1/3
+///     C1 / (1 + 3 eta)                    -1/3 < eta <= 0
+///     C1 + (C2 - C1) (eta / eta_0)^2         0 < eta <= eta_0
+///     C2 eta_0 / eta                     eta_0 < eta
+/// D = integral of d alpha / eps_f(eta); a crack begins at D = 1. Below eta = -1/3 nothing cracks by either (Bao and
+/// Wierzbicki, Engineering Fracture Mechanics 72, 2005). Rate, temperature and Lode angle are left out.
 #pragma once
 #include "scene/material.h"
 #include <cmath>
 
 namespace rimpact::fe {
 
-struct CrackMeasure {
-  scene::Fracture constants{};
+class CrackMeasure {
+public:
+  CrackMeasure() = default;
+  explicit CrackMeasure(const scene::Fracture &constants)
+      : constants_(constants), locus_(scene::fracture_locus(constants)) {}
 
-  /// Plastic strain at fracture under a constant triaxiality [-]; infinite where nothing cracks.
+  /// Plastic strain at fracture under a constant triaxiality [-]; infinite where nothing cracks. By Johnson and Cook:
   double fracture_strain(double triaxiality) const {
-    constexpr double none_below = -1.0 / 3.0;
-    return triaxiality < none_below ? HUGE_VAL : constants.D1 + constants.D2 * std::exp(constants.D3 * triaxiality);
+    return triaxiality < none_below ? HUGE_VAL : constants_.D1 + constants_.D2 * std::exp(constants_.D3 * triaxiality);
   }
+  /// By Bao and Wierzbicki:
+  double locus_strain(double triaxiality) const {
+    if (triaxiality <= none_below) return HUGE_VAL;
+    if (triaxiality <= 0) return locus_.shear / (1 + 3 * triaxiality);
+    if (triaxiality > in_tension) return locus_.tension * in_tension / triaxiality;
+    return locus_.shear + (locus_.tension - locus_.shear) * std::pow(triaxiality / in_tension, 2);
+  }
+
+private:
+  static constexpr double none_below = -1.0 / 3.0, in_tension = 1.0 / 3.0;
+  scene::Fracture constants_{};
+  scene::FractureLocus locus_ = scene::fracture_locus({});
 };
 
 } // namespace rimpact::fe

@@ -1,4 +1,5 @@
 #include "fe_contact/laws/hencky_j2.h"
+#include "fe_contact/laws/kinematic_step.h"
 #include "fe_contact/laws/plastic_flow.h"
 
 #include <cmath>
@@ -21,12 +22,6 @@ struct PrincipalReturn {
   double overstress = 0.0; ///< [Pa]
 };
 
-/// 27 J3 / (2 q^3) of a deviator, q = sqrt(3/2) |s|: 1 in tension, 0 in shear, -1 in compression.
-double lode_parameter(const Eigen::Vector3d &s) {
-  const double q = std::sqrt(1.5) * s.norm();
-  return 13.5 * s.prod() / (q * q * q);
-}
-
 /// Plastic part of a step: the change of the elastic strain's norm, and its own change with the trial stress's.
 struct Flow {
   double gamma;
@@ -40,27 +35,28 @@ Matrix3 deviatoric_projector() {
 
 /// Beyond the static yield surface by `excess` [Pa] of |dev tau|. The bilinear curve of static steel is solved exactly,
 /// all else in terms of the equivalent stress sqrt(3/2) |dev tau|.
-Flow flow_beyond(const HenckyJ2 &law, double excess, double alpha, double dt) {
+Flow flow_beyond(const HenckyJ2 &law, double excess, double alpha, double soft, double dt) {
   const double mu = law.shear_modulus;
-  if (law.hardening.is_linear() && (law.rate.none() || !(dt > 0))) {
+  if (law.hardening.is_linear() && law.heat.none() && (law.rate.none() || !(dt > 0))) {
     const double slope = law.hardening.slope(alpha);
     return {excess / (2 * mu + 2.0 / 3.0 * slope), 2 * mu / (2 * mu + 2.0 / 3.0 * slope)};
   }
-  const StepFlow step = flow_of(law.hardening, law.rate,
-                                {.excess = std::sqrt(1.5) * excess, .alpha = alpha, .elastic = 3 * mu, .dt = dt});
+  const StepFlow step =
+      flow_of(law.hardening, law.rate,
+              {.excess = std::sqrt(1.5) * excess, .alpha = alpha, .elastic = 3 * mu, .dt = dt, .softening = soft});
   return {std::sqrt(1.5) * step.flow, 3 * mu * step.by_trial,
-          step.overstress * law.hardening.stress(alpha + step.flow)};
+          (soft * step.overstress + (soft - 1)) * law.hardening.stress(alpha + step.flow)};
 }
 
 /// Radial return in principal axes: |dev tau| = sqrt(2/3) times the flow stress.
-PrincipalReturn return_map(const HenckyJ2 &law, const Eigen::Vector3d &trial_deviator, double alpha, double dt) {
-  const double mu = law.shear_modulus;
+PrincipalReturn return_map(const HenckyJ2 &law, const Eigen::Vector3d &trial_deviator, const J2State &old, double dt) {
+  const double mu = law.shear_modulus, alpha = old.alpha, soft = law.softening(old);
   PrincipalReturn result{trial_deviator, 2 * mu * trial_deviator, 2 * mu * deviatoric_projector(), alpha};
   if (law.elastic) return result;
   const double norm = result.stress.norm();
-  const double excess = norm - std::sqrt(2.0 / 3.0) * law.hardening.stress(alpha);
+  const double excess = norm - std::sqrt(2.0 / 3.0) * soft * law.hardening.stress(alpha);
   if (excess <= 0) return result;
-  const auto [gamma, share, overstress] = flow_beyond(law, excess, alpha, dt);
+  const auto [gamma, share, overstress] = flow_beyond(law, excess, alpha, soft, dt);
   const Eigen::Vector3d direction = result.stress / norm;
   result.elastic_strain -= gamma * direction;
   result.stress = 2 * mu * result.elastic_strain;
@@ -102,7 +98,21 @@ Matrix6 assemble_tangent(const PrincipalReturn &principal, const Eigen::Vector3d
          (sheared * shear.asDiagonal()).lazyProduct(sheared.transpose());
 }
 
+/// The state after a flow but for what no force depends on; `pulled`: principal axes brought back by F^-1.
+void flow_on(const J2State &old, const PrincipalReturn &principal, double mean_strain, const Matrix3 &pulled,
+             J2State &state) {
+  const Eigen::Vector3d b_elastic = (2 * (principal.elastic_strain.array() + mean_strain)).exp();
+  state.cp_inverse = to_vector(pulled * b_elastic.asDiagonal() * pulled.transpose());
+  // As the ledgers take the work of the stresses: by the trapezoid over the step.
+  state.viscous_work += 0.5 * (old.overstress + principal.overstress) * (principal.alpha - old.alpha);
+  state.alpha = principal.alpha, state.overstress = principal.overstress;
+}
+
 } // namespace
+
+double lode_parameter(double determinant, double q) {
+  return 13.5 * determinant / (q * q * q);
+}
 
 Matrix3 to_matrix(const Vector6 &s) {
   Matrix3 m;
@@ -119,6 +129,8 @@ HenckyJ2 HenckyJ2::from(const scene::Material &material) {
   if (!material.yield) return law;
   law.hardening = Hardening(material);
   law.rate = {material.rate};
+  law.backstress = BackstressLaw(material);
+  law.heat = {material.heat, material.density};
   return law;
 }
 
@@ -135,6 +147,7 @@ IsochoricResult HenckyJ2::step(const J2State &old, const Matrix3 &F, double dt, 
     result.admissible = false;
     return result;
   }
+  if (!elastic && !backstress.none()) return kinematic_step(*this, old, F, dt, with_tangent);
   const Matrix3 b_trial = F * to_matrix(old.cp_inverse) * F.transpose();
   // The iterative solver: Eigen's closed form returns parallel axes for nearly equal eigenvalues (F close to
   // I).
@@ -147,23 +160,18 @@ IsochoricResult HenckyJ2::step(const J2State &old, const Matrix3 &F, double dt, 
   }
   const Eigen::Vector3d strain = 0.5 * b.array().log();
   const Eigen::Vector3d deviator = strain.array() - strain.mean();
-  const PrincipalReturn principal = return_map(*this, deviator, old.alpha, dt);
+  const PrincipalReturn principal = return_map(*this, deviator, old, dt);
 
   result.energy = shear_modulus * principal.elastic_strain.squaredNorm();
   result.response.stress = to_vector(axes * principal.stress.asDiagonal() * axes.transpose());
   if (with_tangent) result.response.tangent = assemble_tangent(principal, b, axes);
   result.state = old;
-  result.state.overstress = principal.overstress;
-  if (principal.alpha > old.alpha) {
-    const Eigen::Vector3d b_elastic = (2 * (principal.elastic_strain.array() + strain.mean())).exp();
-    const Matrix3 F_inverse = F.inverse();
-    const Matrix3 pulled = F_inverse * axes;
-    result.state.cp_inverse = to_vector(pulled * b_elastic.asDiagonal() * pulled.transpose());
-    result.state.alpha = principal.alpha;
-    result.state.lode += lode_parameter(principal.stress) * (principal.alpha - old.alpha);
-    // As the ledgers take the work of the stresses: by the trapezoid over the step.
-    result.state.viscous_work += 0.5 * (old.overstress + principal.overstress) * (principal.alpha - old.alpha);
-  }
+  result.state.overstress = 0;
+  if (!(principal.alpha > old.alpha)) return result;
+  flow_on(old, principal, strain.mean(), F.inverse() * axes, result.state);
+  const double q = std::sqrt(1.5) * principal.stress.norm();
+  result.state.lode += lode_parameter(principal.stress.prod(), q) * (principal.alpha - old.alpha);
+  result.mises = hardening.stress(principal.alpha) + principal.overstress;
   return result;
 }
 

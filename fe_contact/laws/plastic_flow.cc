@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace rimpact::fe {
 namespace {
@@ -31,40 +32,58 @@ template <class F> double rising_root(const F &f, double low, double high) {
   return x;
 }
 
+/// By the elastic strain alone.
+struct ElasticFall {
+  double elastic;
+  FallOfStress operator()(double flow) const { return {elastic * flow, elastic}; }
+};
+
 /// Of steel that shows no rate.
-StepFlow static_flow(const Hardening &hardening, const FlowStep &step) {
-  const double at_start = hardening.stress(step.alpha);
+template <class Fall> StepFlow static_flow(const Hardening &hardening, const FlowStep &step, const Fall &fall) {
+  const double soft = step.softening, at_start = soft * hardening.stress(step.alpha);
   double flow = step.excess / step.elastic;
-  if (hardening.is_linear())
-    flow = step.excess / (step.elastic + hardening.slope(step.alpha));
+  if (std::is_same_v<Fall, ElasticFall> && hardening.is_linear())
+    flow = step.excess / (step.elastic + soft * hardening.slope(step.alpha));
   else
     flow = rising_root(
         [&](double x) {
           const double end = step.alpha + x;
-          return ValueAndSlope{step.elastic * x + (hardening.stress(end) - at_start) - step.excess,
-                               step.elastic + hardening.slope(end)};
+          const FallOfStress fallen = fall(x);
+          return ValueAndSlope{fallen.value + (soft * hardening.stress(end) - at_start) - step.excess,
+                               fallen.slope + soft * hardening.slope(end)};
         },
         0.0, flow);
-  return {flow, 1 / (step.elastic + hardening.slope(step.alpha + flow))};
+  return {flow, 1 / (fall(flow).slope + soft * hardening.slope(step.alpha + flow))};
 }
 
-} // namespace
-
-StepFlow flow_of(const Hardening &hardening, const RateLaw &law, const FlowStep &step) {
-  const StepFlow at_once = static_flow(hardening, step);
+template <class Fall>
+StepFlow flow_by(const Hardening &hardening, const RateLaw &law, const FlowStep &step, const Fall &fall) {
+  const StepFlow at_once = static_flow(hardening, step, fall);
   if (law.none() || !(step.dt > 0) || law.rate(0).value >= at_once.flow / step.dt) return at_once;
-  const double at_start = hardening.stress(step.alpha);
+  const double soft = step.softening, at_start = soft * hardening.stress(step.alpha);
   const auto balance = [&](double w) {
     const PlasticRate rate = law.rate(w);
-    const double flow = step.dt * rate.value, end = step.alpha + flow, stress = hardening.stress(end);
-    const double resistance = step.elastic + hardening.slope(end) * (1 + w);
-    return ValueAndSlope{at_start * w + step.elastic * flow + (stress - at_start) * (1 + w) - step.excess,
+    const double flow = step.dt * rate.value, end = step.alpha + flow, stress = soft * hardening.stress(end);
+    const FallOfStress fallen = fall(flow);
+    const double resistance = fallen.slope + soft * hardening.slope(end) * (1 + w);
+    return ValueAndSlope{at_start * w + fallen.value + (stress - at_start) * (1 + w) - step.excess,
                          stress + resistance * step.dt * rate.slope};
   };
   // No flow at all, and the flow of static steel: both are at or above the root.
   const double w = rising_root(balance, 0.0, std::min(step.excess / at_start, law.overstress(at_once.flow / step.dt)));
   const PlasticRate rate = law.rate(w);
   return {step.dt * rate.value, step.dt * rate.slope / balance(w).slope, w};
+}
+
+} // namespace
+
+StepFlow flow_of(const Hardening &hardening, const RateLaw &law, const FlowStep &step) {
+  return flow_by(hardening, law, step, ElasticFall{step.elastic});
+}
+
+StepFlow flow_of(const Hardening &hardening, const RateLaw &law, const FlowStep &step,
+                 const std::function<FallOfStress(double)> &fall) {
+  return flow_by(hardening, law, step, fall);
 }
 
 } // namespace rimpact::fe

@@ -107,6 +107,9 @@ class GoodScenes(unittest.TestCase):
                 text = file.read()
             with open(path, "w") as file:
                 file.write("\n".join(line.split("# assumption")[0] for line in text.splitlines()))
+            self.assertIn("rim's foot: one piece with the plate, assumed", rimpact("check", os.path.join(case, "scene.toml")).stdout)
+            bolted = rimpact("check", os.path.join(case, "scene.toml"), "--set", 'bearing.rim.connection.kind="fillet"', "--set", "bearing.rim.connection.throat_mm=12")
+            self.assertIn("rim's foot: two fillet welds with a throat of 12 mm, judged after every finite-element run", bolted.stdout)
             self.assertIn("assumed, not measured: nothing", rimpact("check", os.path.join(case, "scene.toml")).stdout)
 
 

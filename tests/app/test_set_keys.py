@@ -23,6 +23,9 @@ VALUES = {
     "superstructure.masses_kg": "[1e4, 1e4, 1e4]", "superstructure.stiffnesses_kN_per_m": "[1e4, 1e4, 1e4]",
     "load.mass_kg": "90000", "load.vertical_kN": "900", "reduced.mu_slow": "0.03", "reduced.mu_fast": "0.08", "reduced.dent_spread": "0.5",
 }
+VALUES["bearing.material.steel.chaboche"] = "[[1000, 10]]"
+for part in ("rim", "dish", "slider"):
+    VALUES |= {f"bearing.material.{part}.{key}": VALUES[f"bearing.material.steel.{key}"] for key in ("chaboche", "curve", "hardness_HB")}
 
 
 def value_of(key: Key) -> str:

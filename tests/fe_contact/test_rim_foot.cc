@@ -3,6 +3,7 @@
 #include "fe_contact/drive/order.h"
 #include "fe_contact/drive/top_drive.h"
 #include "fe_contact/engine/internal_forces.h"
+#include "fe_contact/engine/solid_fields.h"
 #include "fe_contact/rungs/rim.h"
 #include <cmath>
 #include <Eigen/Geometry>
@@ -70,6 +71,23 @@ TEST(RimFoot, ClosedFormsOfTensionShearAndBending) {
   EXPECT_FALSE(bent.use) << "one piece";
 }
 
+/// Internal forces of the wall's nodes at the sector's end, above the foot [N].
+Vector3d held_at_the_end(const BearingModel &model, const Eigen::VectorXd &u, const SolidHistory &history) {
+  const Discretisation &space = model.space;
+  const std::set<unsigned> foot(model.foot.nodes().begin(), model.foot.nodes().end());
+  const auto ends = space.nodes_of(meshes::Surface::sector_end);
+  Vector3d sum = Vector3d::Zero();
+  for (std::size_t c = 0; c < space.n_cells; ++c) {
+    if (space.volumes[c] != Volume::rim) continue;
+    const Eigen::Matrix3Xd forces = internal_forces(model.solid, space, c, u, history);
+    for (int a = 0; a < space.nodes_per_cell; ++a) {
+      const unsigned node = space.cell_nodes[c * space.nodes_per_cell + a];
+      if (foot.count(node) == 0 && std::binary_search(ends.begin(), ends.end(), node)) sum += forces.col(a);
+    }
+  }
+  return sum;
+}
+
 /// A sector whose wall yields: what goes through the foot is what the slider presses on the wall with, less what the
 /// sector's cuts hold. Moments alike.
 TEST(RimFoot, BalancesTheSlidersPress) {
@@ -120,16 +138,7 @@ TEST(RimFoot, BalancesTheSlidersPress) {
     of_foot += (space.positions[node] + u.segment<3>(3 * node)).cross(Vector3d(through.col(static_cast<int>(k))));
   }
   EXPECT_LT((of_foot - moment).norm(), 1e-9 * moment.norm());
-  Vector3d of_ends = Vector3d::Zero(); // radially held at the sector's end alone
-  for (std::size_t c = 0; c < space.n_cells; ++c) {
-    if (space.volumes[c] != Volume::rim) continue;
-    const Eigen::Matrix3Xd forces = internal_forces(model.solid, space, c, u, state.history);
-    const auto ends = space.nodes_of(meshes::Surface::sector_end);
-    for (int a = 0; a < space.nodes_per_cell; ++a) {
-      const unsigned node = space.cell_nodes[c * space.nodes_per_cell + a];
-      if (foot.count(node) == 0 && std::binary_search(ends.begin(), ends.end(), node)) of_ends += forces.col(a);
-    }
-  }
+  const Vector3d of_ends = held_at_the_end(model, u, state.history); // radially held there alone
   EXPECT_NEAR(through.row(0).sum() - of_ends.x(), force, 1e-5 * force) << "the contact's own force";
   const FootForces forces = model.foot.of(u, state.history);
   EXPECT_GT(forces.worst.moment, 0);
@@ -137,6 +146,45 @@ TEST(RimFoot, BalancesTheSlidersPress) {
   EXPECT_NEAR(*forces.use, weld_force(forces.worst, 0.04) / (0.010 * weld_strength(scene.bearing.rim.connection)),
               1e-3 * *forces.use);
   EXPECT_NEAR(forces.shear, 2 * through.row(0).sum(), 0.05 * forces.shear) << "less what the cuts hold along the rim";
+}
+
+/// A wall that is thrown outwards: what goes through its foot is the press less what accelerates the wall, by the
+/// integrator's own acceleration.
+TEST(RimFoot, BalancesThePressLessTheWallsInertiaInMotion) {
+  scene::Scene scene = scene::load_scene("impact-window", {"model.mesh=0"});
+  scene.bearing.steel.rate.model = scene::RateModel::cowper_symonds;
+  const BearingModel model(rungs::rim, scene.bearing, {.level = 0, .half = true});
+  BearingSystem system(model, scene.load.mass);
+  SystemState state = system.at_rest();
+  system.set_position(state, {-2e-5, 0, 0}, {1, 0, 0}, Vector3d::Zero());
+  StepOptions options = step_options(rungs::rim, scene);
+  options.newton.tolerance = 1e-7, options.newton.max_iterations = 40;
+  StepTerms terms{Eigen::VectorXd::Zero(system.equations().n)};
+  terms.dt = 1e-4;
+  Eigen::VectorXd before;
+  for (int k = 0; k < 8; ++k) {
+    before = state.a;
+    const auto report = time_step(system, state, terms, options);
+    ASSERT_TRUE(report.converged) << report.reason;
+  }
+  const double alpha_m = GeneralizedAlpha::from(options.rho_inf).alpha_m;
+  const Eigen::VectorXd inertial = system.mass_times((1 - alpha_m) * state.a + alpha_m * before);
+  const Discretisation &space = model.space;
+  std::set<unsigned> wall;
+  for (std::size_t c = 0; c < space.n_cells; ++c)
+    for (int a = 0; a < space.nodes_per_cell && space.volumes[c] == Volume::rim; ++a)
+      wall.insert(space.cell_nodes[c * space.nodes_per_cell + a]);
+  for (const unsigned node : model.foot.nodes()) wall.erase(node);
+  for (const unsigned node : space.nodes_of(meshes::Surface::sector_end)) wall.erase(node);
+  double inertia = 0;
+  for (const unsigned node : wall)
+    if (const int equation = system.equations().of_dof[3 * node]; equation >= 0) inertia += inertial[equation];
+  const Eigen::VectorXd u = system.expand(state);
+  const double force = -system.force_of(state, Role::wall).x() / model.share();
+  const double through = model.foot.nodal_forces(u, state.history).row(0).sum();
+  ASSERT_GT(largest_plastic_strain(state.history), 1e-3) << "the wall is to yield";
+  EXPECT_GT(std::abs(inertia), 1e-3 * force) << "the wall's inertia is to be seen";
+  EXPECT_NEAR(through - held_at_the_end(model, u, state.history).x(), force - inertia, 1e-5 * force);
 }
 
 } // namespace

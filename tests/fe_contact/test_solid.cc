@@ -32,6 +32,26 @@ meshes::HexMesh bent_box() {
 
 class SolidTest : public ::testing::TestWithParam<int> {};
 
+TEST(SolidOfParts, EachVolumeHasTheSteelOfItsPart) {
+  scene::Bearing bearing;
+  double yield = 300e6;
+  std::map<scene::SteelPart, double> yields;
+  for (const auto part : {scene::SteelPart::rim, scene::SteelPart::dish, scene::SteelPart::slider}) {
+    yields[part] = yield += 100e6;
+    bearing.part_steels.emplace(part, bearing.steel).first->second.yield = yield;
+  }
+  const std::map<Volume, scene::SteelPart> parts{{Volume::rim, scene::SteelPart::rim},
+                                                 {Volume::plate, scene::SteelPart::dish},
+                                                 {Volume::foot, scene::SteelPart::slider},
+                                                 {Volume::upper_slider, scene::SteelPart::slider}};
+  for (const auto &[volume, part] : parts) {
+    meshes::HexMesh mesh;
+    test::add_box(mesh, {{0, 0, 0}, {0.1, 0.1, 0.1}, {1, 1, 1}, volume, {}});
+    const Discretisation space(mesh, 1);
+    EXPECT_EQ(Solid(space, bearing).law_of(0).isochoric.hardening.stress(0), yields[part]);
+  }
+}
+
 TEST_P(SolidTest, FieldsShowTheStressOfAUniformStretch) {
   const Discretisation space(bent_box(), GetParam());
   const scene::Material steel = scene::Bearing{}.steel;
