@@ -1,4 +1,4 @@
-// The light executable: everything but finite elements, which it hands to its sibling.
+// The light executable: everything but finite elements, which it hands to rimpact-fe.
 #include "app/console/child_process.h"
 #include "app/console/command.h"
 #include "app/jobs/rank_launcher.h"

@@ -12,8 +12,8 @@ double power_of(double size, double exponent) {
 
 DegradingBoucWen::Point DegradingBoucWen::rates(const Point &p, double d_rate) const {
   const double x = d_rate / yield_deformation, nu = 1 + strength_loss * p.e, eta = 1 + stiffness_loss * p.e;
-  const double s = (p.z * x < 0 ? -beta : beta) + 1 - beta, worn = nu * power_of(std::abs(p.z), exponent) * s;
-  return {d_rate, x * (1 - worn) / eta, worn * p.z * x};
+  const double s = (p.z * x < 0 ? -beta : beta) + 1 - beta, degraded = nu * power_of(std::abs(p.z), exponent) * s;
+  return {d_rate, x * (1 - degraded) / eta, degraded * p.z * x};
 }
 
 double DegradingBoucWen::force(const Point &p) const {

@@ -24,9 +24,9 @@ SocketShare socket_share(const scene::Curvatures &k, const reduced::TangentFrame
   return {size * along, along * z.transpose() / size + size / rate * (K * K - along * along.transpose())};
 }
 
-class DishMount : public BearingElement {
+class DishElement : public BearingElement {
 public:
-  explicit DishMount(const scene::Scene &scene)
+  explicit DishElement(const scene::Scene &scene)
       : law_(scene), weight_(scene.load.vertical), stiffness_(scene.isolator.contact_stiffness * scene.isolator.points),
         damping_(2 * laws::damping_ratio(scene.isolator.contact_restitution) *
                  std::sqrt(stiffness_ * scene.load.mass)) {
@@ -120,7 +120,7 @@ private:
     }
 
     /// Forces at the node's motion, and their derivative by its velocity; `weight` of positions, `slip_step` of z.
-    Matrix3d evaluate(const DishMount &m, const NodeMotion &node, double t, double weight, double slip_step) {
+    Matrix3d evaluate(const DishElement &m, const NodeMotion &node, double t, double weight, double slip_step) {
       u = node.u.head<3>(), v = node.v.head<3>();
       pendular = friction = impact = Vector3d::Zero(), normal = rim_force = face_power = 0, z = slip_step > 0 ? z0 : z;
       Matrix3d B = Matrix3d::Zero();
@@ -145,7 +145,7 @@ private:
       if (m.met_) press(m, t, weight, B);
       return B;
     }
-    void rub(const DishMount &m, const scene::SurfacePoint &p, const Vector3d &n, double slip_step, Matrix3d &B) {
+    void rub(const DishElement &m, const scene::SurfacePoint &p, const Vector3d &n, double slip_step, Matrix3d &B) {
       const Matrix3d along = Matrix3d::Identity() - n * n.transpose();
       const Vector3d slide = along * v;
       const double speed = slide.norm();
@@ -171,7 +171,7 @@ private:
       B -= (share + by_pressure * z) * d_normal + normal * d_state * d_velocity * along;
       if (speed > 0 && mu.d_speed != 0) B -= normal * mu.d_speed / speed * z * slide.transpose();
     }
-    void press(const DishMount &m, double t, double weight, Matrix3d &B) {
+    void press(const DishElement &m, double t, double weight, Matrix3d &B) {
       const Vector2d at = u.head<2>(), speed = v.head<2>();
       const double travel = at.norm(), d = travel - m.law_.lateral_capacity;
       if (!(d > 0)) return;
@@ -221,7 +221,7 @@ private:
 } // namespace
 
 std::unique_ptr<BearingElement> dish_element(const scene::Scene &scene) {
-  return std::make_unique<DishMount>(scene);
+  return std::make_unique<DishElement>(scene);
 }
 
 } // namespace rimpact::buildings

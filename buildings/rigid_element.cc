@@ -17,9 +17,9 @@ using OwnMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_
 using OwnVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_own, 1>;
 using Columns = Eigen::Matrix<double, Eigen::Dynamic, 6, 0, most_own, 6>;
 
-class RigidMount : public BearingElement {
+class RigidElement : public BearingElement {
 public:
-  explicit RigidMount(const scene::Scene &scene)
+  explicit RigidElement(const scene::Scene &scene)
       : model_(scene), n_(6 * model_.plate), heat_(scene, model_.parts, model_.system) {
     if (scene.isolator.space != scene::Space::spatial)
       throw InputError(
@@ -239,7 +239,7 @@ private:
 } // namespace
 
 std::unique_ptr<BearingElement> rigid_element(const scene::Scene &scene) {
-  return std::make_unique<RigidMount>(scene);
+  return std::make_unique<RigidElement>(scene);
 }
 
 } // namespace rimpact::buildings

@@ -10,7 +10,7 @@ constexpr auto choices(RunStatus) {
   return choices_of<RunStatus>({{done, "done"}, {stopped, "stopped"}, {interrupted, "interrupted"}});
 }
 
-/// The reduced model, or a rung of finite elements; the key is `rung`. From the cheapest to the dearest.
+/// The reduced model, or a rung of finite elements; the key is `rung`. From the cheapest to the most expensive.
 enum class SolvedBy { reduced, rim, rigid_dish, full };
 constexpr auto choices(SolvedBy) {
   using enum SolvedBy;

@@ -71,6 +71,16 @@ json beyond_fit(const scene::Scene &scene, Summary &summary) {
   return beyond > 0;
 }
 
+void warn_of_slider(const scene::Scene &scene, Summary &summary) {
+  const auto edge = summary.steel.find(SteelPlace::slider_edge);
+  const auto limit = scene.bearing.steel_of(scene::SteelPart::slider).strain_limit;
+  if (edge == summary.steel.end() || !limit || edge->second.averaged <= *limit) return;
+  warn(summary,
+       fmt::format("the slider's edge is crushed: its plastic strain reaches {:.1f} %, above what its steel is "
+                   "trusted to; whether the rim holds is another question",
+                   100 * edge->second.averaged));
+}
+
 json strain_limit(const scene::Scene &scene, Summary &summary) {
   const auto limit = scene::strain_limit(scene.bearing);
   if (!limit || !summary.max_plastic_strain) return nullptr;
@@ -84,13 +94,6 @@ json strain_limit(const scene::Scene &scene, Summary &summary) {
     warn(summary,
          fmt::format("plastic strain {} reaches {:.1f} %, {}: cracks, which no law here has, would change the force",
                      place ? "of " + description(*place) : "of some body", 100 * largest, beyond));
-  if (const auto edge = summary.steel.find(SteelPlace::slider_edge);
-      edge != summary.steel.end() &&
-      edge->second.averaged > scene.bearing.steel_of(scene::SteelPart::slider).strain_limit.value_or(HUGE_VAL))
-    warn(summary,
-         fmt::format("the slider's edge is crushed: its plastic strain reaches {:.1f} %, above what its steel is "
-                     "trusted to; whether the rim holds is another question",
-                     100 * edge->second.averaged));
   return {{"limit", *limit},
           {"largest", largest},
           {"place", place ? json(word(*place)) : json(nullptr)},
@@ -129,13 +132,16 @@ json rim_foot(const scene::Scene &scene, Summary &summary) {
 
 /// Steel that was strained beyond the last row of its curve, where the stress is held.
 void warn_beyond_curve(const scene::Scene &scene, Summary &summary) {
-  const scene::Material &steel = scene.bearing.steel;
-  if (!summary.max_plastic_strain || !steel.yield || steel.hardening.law != scene::HardeningLaw::table) return;
-  const auto last = scene::flow_curve(steel).rows.back();
-  if (*summary.max_plastic_strain > last[0])
-    warn(summary, fmt::format("plastic strain reaches {:.3g}, beyond the last row of bearing.material.steel.curve at "
-                              "{:.3g}: the stress was held at {:.4g} MPa there, which no test shows",
-                              *summary.max_plastic_strain, last[0], last[1] / 1e6));
+  if (!summary.max_plastic_strain) return;
+  scene::Bearing bearing = scene.bearing;
+  for (const auto &[table, steel] : scene::steels_of(bearing)) {
+    if (!steel->yield || steel->hardening.law != scene::HardeningLaw::table) continue;
+    const auto last = scene::flow_curve(*steel).rows.back();
+    if (*summary.max_plastic_strain > last[0])
+      warn(summary, fmt::format("plastic strain reaches {:.3g}, beyond the last row of bearing.material.{}.curve at "
+                                "{:.3g}: the stress was held at {:.4g} MPa there, which no test shows",
+                                *summary.max_plastic_strain, table, last[0], last[1] / 1e6));
+  }
 }
 
 } // namespace
@@ -144,6 +150,7 @@ void judge(const scene::Scene &scene, Summary &summary) {
   summary.extra["beyond_rim"] = beyond_rim(scene, summary);
   summary.extra["beyond_fit"] = beyond_fit(scene, summary);
   summary.extra["strain_limit"] = strain_limit(scene, summary);
+  warn_of_slider(scene, summary);
   summary.extra["rim_foot"] = rim_foot(scene, summary);
   warn_beyond_curve(scene, summary);
   warn_of_tipping(scene, summary);

@@ -4,8 +4,6 @@
 /// there.
 #include "responses/response_csv.h"
 
-#include "responses/response_csv.h"
-
 #include "io/files/binary_kind.h"
 #include "io/files/error.h"
 #include "io/files/file.h"

@@ -4,7 +4,6 @@
 #include "io/files/error.h"
 #include "io/files/file.h"
 #include "io/files/hdf5_memory.h"
-#include "responses/response_hdf5.h"
 #include <fmt/format.h>
 #include <hdf5_hl.h>
 

@@ -105,6 +105,7 @@ struct Bearing {
     const auto own = part_steels.find(part);
     return own == part_steels.end() ? steel : own->second;
   }
+  const Material &rim_steel() const { return steel_of(SteelPart::rim); } ///< what the law of the rim is made of
   bool double_concave() const { return surface.concave == Concave::twice; }
   /// Dishes in series, each moved through by its share of the travel: 1 or 2.
   int dishes() const { return double_concave() ? 2 : 1; }

@@ -13,7 +13,7 @@ Bearing shfps_225() {
   return {};
 }
 
-/// Its spherical sibling (a = R0): same capacity, slider, foot and pad. The dish's edge lies lower, so the
+/// The same with a sphere (a = R0): same capacity, slider, foot and pad. The dish's edge lies lower, so the
 /// rim is higher for the same overlap with the slider's wall, and the pad is shaped to the dish.
 Bearing fps_225() {
   Bearing b;

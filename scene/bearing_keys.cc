@@ -85,7 +85,7 @@ void visit(KeyVisitor &v, PlasticHeat &h) {
   v.choice({"softening"}, h.model);
   if (!v.wants(h.model == Softening::adiabatic)) return;
   v.number({"taylor_quinney", "share of the plastic work that becomes heat", assumption}, h.share, si, {0, 1, true});
-  v.number({"heat_capacity_J_per_kg_K", "", assumption}, h.capacity, si, positive);
+  v.number({"heat_capacity_J_per_kg_K", "specific heat of the steel", assumption}, h.capacity, si, positive);
   v.number({"melting_K", "rise of the temperature at which no flow stress is left", assumption}, h.melting, si,
            positive);
   v.number({"softening_exponent", "m of 1 - (rise / melting)^m", assumption}, h.exponent, si, {0, 10, true});

@@ -6,9 +6,9 @@
 
 namespace rimpact::scene {
 
-/// A vertical record along x or y, a horizontal one along z, one component along two axes, components of two stations
-/// beside one another, and what is odd about a record's own numbers (io/records/record_doubts.h): a sentence each.
-/// Records of unknown direction, and those that are not there any more, say nothing.
+/// A sentence each: a vertical record along x or y, a horizontal one along z, one component along two axes, components
+/// of two stations. Then what is odd about a record's own numbers (io/records/record_doubts.h). Records of unknown
+/// direction, and those that are not there any more, say nothing.
 void doubt_records(const Scene &scene, std::vector<std::string> &found);
 
 } // namespace rimpact::scene

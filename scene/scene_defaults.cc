@@ -25,7 +25,7 @@ void remark_on_necking(Scene &scene) {
 }
 
 /// A socket as deep and wide, for its slider, as the built-in bearing's.
-void settle_socket(Bearing &b) {
+void resolve_socket(Bearing &b) {
   constexpr double depth = 0.3175, width = 0.57; // of the slider's height and radius
   const double bottom = b.slider.bottom, radius = b.slider.diameter / 2, cap = b.foot.cap_radius;
   const bool fits =
@@ -46,7 +46,7 @@ bool is_builtin(Bearing bearing, bool wholly) {
 }
 
 /// Another bearing than the built-in ones carries the thesis's load for want of its own: that is remarked upon.
-void settle_load(const TomlFile &file, bool own_bearing, Scene &scene) {
+void resolve_load(const TomlFile &file, bool own_bearing, Scene &scene) {
   const char *weight_key = "load.vertical_kN", *mass_key = "load.mass_kg";
   const bool weight = file.find(weight_key), mass = file.find(mass_key);
   Load &load = scene.load;
@@ -78,11 +78,11 @@ void remark_on_isolator(const TomlFile &file, Scene &scene) {
 } // namespace
 
 void set_dependent_defaults(const TomlFile &file, const std::string &prefix, Bearing &bearing) {
-  settle_steel(file, prefix, {bearing.steel, "material.steel.", bearing.rim.thickness}, bearing.assumed);
-  settle_slope(file, prefix + "material.ertalyte.", bearing.ertalyte);
+  resolve_steel(file, prefix, {bearing.steel, "material.steel.", bearing.rim.thickness}, bearing.assumed);
+  resolve_slope(file, prefix + "material.ertalyte.", bearing.ertalyte);
   if (bearing.surface.kind == SurfaceKind::sphere) bearing.surface.a = bearing.surface.R0;
   const std::string cap = "foot.cap_radius_mm";
-  if (!file.find(prefix + cap) && bearing.assumed.keys.count(cap) > 0) settle_socket(bearing);
+  if (!file.find(prefix + cap) && bearing.assumed.keys.count(cap) > 0) resolve_socket(bearing);
 }
 
 void set_dependent_defaults(const TomlFile &file, bool own_bearing, Scene &scene) {
@@ -109,7 +109,7 @@ void set_dependent_defaults(const TomlFile &file, bool own_bearing, Scene &scene
   auto &measured = scene.reduced.measured;
   if (!given("reduced.mu_fast") && !given("reduced.mu_reference_pressure_MPa") && !measured.table)
     measured.reference_pressure = contact.reference_pressure;
-  settle_load(file, own_bearing, scene);
+  resolve_load(file, own_bearing, scene);
   remark_on_necking(scene);
   remark_on_isolator(file, scene);
   if (!given("excitation.kind"))

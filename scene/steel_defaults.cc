@@ -28,7 +28,7 @@ void mark(const SteelTable &of, AssumedKeys &marks, const std::string &key, bool
 }
 
 /// What a grade gives and the file does not.
-void settle_grade(const TomlFile &file, const std::string &prefix, const SteelTable &of, AssumedKeys &marks) {
+void resolve_grade(const TomlFile &file, const std::string &prefix, const SteelTable &of, AssumedKeys &marks) {
   Material &steel = of.steel;
   const std::string table = prefix + of.table;
   const auto given = [&](const std::string &key) { return file.find(table + key) != nullptr; };
@@ -63,7 +63,7 @@ void settle_grade(const TomlFile &file, const std::string &prefix, const SteelTa
 }
 
 /// The yield stress estimated from a hardness, where it is not given.
-void settle_hardness(const TomlFile &file, const std::string &prefix, const SteelTable &of, AssumedKeys &marks) {
+void resolve_hardness(const TomlFile &file, const std::string &prefix, const SteelTable &of, AssumedKeys &marks) {
   Material &steel = of.steel;
   const std::string key = prefix + of.table + "hardness_HB", yield = prefix + of.table + "yield_MPa";
   if (!file.find(key)) return;
@@ -78,7 +78,7 @@ void settle_hardness(const TomlFile &file, const std::string &prefix, const Stee
 }
 
 /// The law of hardening, and the yield stress where its curve has one of its own. A curve alone chooses `table`.
-void settle_hardening(const TomlFile &file, const std::string &prefix, const SteelTable &of, AssumedKeys &marks) {
+void resolve_hardening(const TomlFile &file, const std::string &prefix, const SteelTable &of, AssumedKeys &marks) {
   Material &steel = of.steel;
   const std::string key = prefix + of.table, curve = key + "curve", yield = key + "yield_MPa";
   if (file.find(curve) && !file.find(key + "hardening")) steel.hardening.law = HardeningLaw::table;
@@ -144,7 +144,7 @@ void read_flow_curve(const TomlFile &file, const std::string &table, Hardening &
   hardening.curve.file.clear();
 }
 
-void settle_slope(const TomlFile &file, const std::string &table, Material &m) {
+void resolve_slope(const TomlFile &file, const std::string &table, Material &m) {
   const std::string key = table + "tangent_modulus_MPa";
   if (!m.yield || m.hardening.law != HardeningLaw::bilinear)
     m.tangent_modulus.reset();
@@ -154,11 +154,11 @@ void settle_slope(const TomlFile &file, const std::string &table, Material &m) {
     m.tangent_modulus = 0.0;
 }
 
-void settle_steel(const TomlFile &file, const std::string &prefix, const SteelTable &of, AssumedKeys &assumed) {
-  settle_hardness(file, prefix, of, assumed);
-  settle_grade(file, prefix, of, assumed);
-  settle_hardening(file, prefix, of, assumed);
-  settle_slope(file, prefix + of.table, of.steel);
+void resolve_steel(const TomlFile &file, const std::string &prefix, const SteelTable &of, AssumedKeys &assumed) {
+  resolve_hardness(file, prefix, of, assumed);
+  resolve_grade(file, prefix, of, assumed);
+  resolve_hardening(file, prefix, of, assumed);
+  resolve_slope(file, prefix + of.table, of.steel);
 }
 
 void read_part_steels(const TomlFile &file, const std::string &prefix, const std::string &folder, Bearing &b) {
@@ -175,7 +175,7 @@ void read_part_steels(const TomlFile &file, const std::string &prefix, const std
     TomlReader reader(file, prefix + section);
     visit_steel(reader, steel);
     read_flow_curve(file, prefix + table, steel.hardening, folder);
-    settle_steel(file, prefix, {steel, table, thickness_of(b, part)}, b.assumed);
+    resolve_steel(file, prefix, {steel, table, thickness_of(b, part)}, b.assumed);
   }
 }
 

@@ -14,11 +14,11 @@ struct SteelTable {
 
 /// Fills what the file leaves out, and marks what is an assumption by that. `prefix`: of the bearing's keys. Throws
 /// InputError for keys that contradict each other.
-void settle_steel(const TomlFile &file, const std::string &prefix, const SteelTable &of, AssumedKeys &assumed);
+void resolve_steel(const TomlFile &file, const std::string &prefix, const SteelTable &of, AssumedKeys &assumed);
 
 /// A material's keys that hang together: no yield, no slope past it; yield alone is perfectly plastic. `table`: prefix
 /// of its keys.
-void settle_slope(const TomlFile &file, const std::string &table, Material &material);
+void resolve_slope(const TomlFile &file, const std::string &table, Material &material);
 
 /// The steels of the parts that have a table, [material.rim], [material.dish] or [material.slider]: what it leaves out
 /// is the bearing's steel's or, with a grade, the grade's. After the bearing's steel is settled. `folder`: of the file.

@@ -65,6 +65,13 @@ const ScenePart *part_of(const std::string &key) {
   return found == parts.end() ? nullptr : &*found;
 }
 
+/// The choice that a key hangs on: of a part's steel that part's own.
+std::string choice_of(const std::string &key) {
+  const std::string choice = part_of(key)->choice, base = "bearing.material.steel.";
+  if (of_the_bearings_steel(key) == key || !choice.starts_with(base)) return choice;
+  return key.substr(0, key.find('.', std::string("bearing.material.").size()) + 1) + choice.substr(base.size());
+}
+
 /// Of [isolator] what a dish may stand on, in a building whose steps are implicit.
 bool is_of_springs(const std::string &path) {
   constexpr std::array keys{"isolator.points", "isolator.contact_stiffness_kN_per_m", "isolator.contact_restitution",
@@ -134,7 +141,7 @@ std::map<std::string, std::string> values_of(Scene scene) {
 std::string choices_in_words(const std::vector<std::string> &unread, const std::map<std::string, std::string> &values) {
   std::set<std::string> others;
   for (const auto &path : unread)
-    if (const ScenePart *part = part_of(path); !part->always_named) others.insert(part->choice);
+    if (!part_of(path)->always_named) others.insert(choice_of(path));
   std::string text;
   const auto name = [&](const std::string &choice) {
     text += fmt::format("{}{} {}{}", text.empty() ? "" : ", ", choice, text.empty() ? "is " : "", values.at(choice));
@@ -158,7 +165,7 @@ std::string unread_keys(const TomlFile &file, const Scene &scene, UnreadPart wan
     if (!part || !file.find(path) || remark_of(path, scene) != wanted) continue;
     if (read.names.count(path) > 0 && !has_no_effect(path, scene)) continue;
     if (is_read_before(path)) continue;
-    if (file.is_set(path) || !file.is_set(part->choice)) unread.push_back(path);
+    if (file.is_set(path) || !file.is_set(choice_of(path))) unread.push_back(path);
   }
   if (unread.empty()) return {};
   const auto values = values_of(scene);

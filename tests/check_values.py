@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Choices are values, not strings. A word of a table (files/choice.h), or the name of an impact law, is compared with a literal at an edge
+"""Choices are values, not strings. A word of a table (io/files/choice.h), or the name of an impact law, is compared with a literal at an edge
 alone: where a file, a table or the command line is read. Everywhere else the enumeration is compared."""
 import pathlib
 import re

@@ -21,9 +21,10 @@ constexpr const char *codes =
 /// Its options, and as footer its examples and the exit codes.
 void add_verb(CLI::App &app, const Verb &verb, Console &console) {
   CLI::App &added = *app.add_subcommand(verb.text.name, verb.text.help);
-  std::string footer = "Examples:\n  ";
-  for (const char *c = verb.text.examples; *c; ++c) footer += *c == '\n' ? "\n  " : std::string(1, *c);
-  added.footer(footer + "\n\n" + codes);
+  std::string footer;
+  for (const auto &line : split(verb.text.examples, '\n'))
+    if (!line.empty()) footer += (footer.empty() ? "Examples:\n  " : "\n  ") + std::string(line);
+  added.footer(footer + (footer.empty() ? "" : "\n\n") + codes);
   if (verb.add) verb.add(added, console);
 }
 

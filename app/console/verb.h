@@ -8,7 +8,7 @@ namespace rimpact::app {
 /// Examples: one a line. `next`: a command to go on with, {} the folder that was made, `usual` where none is named;
 /// empty: nothing follows. `next_of_sweep`: the same after --sweep.
 struct VerbText {
-  const char *name, *help, *examples, *next = "", *usual = "", *next_of_sweep = "";
+  const char *name, *help, *examples = "", *next = "", *usual = "", *next_of_sweep = "";
 };
 
 struct Verb {

@@ -155,10 +155,10 @@ void run_vary(const VaryOptions &options, Console &console) {
   const auto [part, n_parts] = parse_shard(options.shard);
   GivenCase given = geometry_target(options.where, console);
   const VaryQuestion question = vary_question(options.words, given);
-  if (given.scene.bearing.steel.knows_rate())
+  if (given.scene.bearing.rim_steel().knows_rate())
     console.warn(fmt::format("the curves are pushed infinitely slowly: the steel's law of the rate ({}) has no part in "
                              "their forces, which are too low; the solid run has it",
-                             in_words(given.scene.bearing.steel.rate)));
+                             in_words(given.scene.bearing.rim_steel().rate)));
   auto jobs = curve_jobs(options, question, console);
   const std::size_t at_once = options.jobs > 0 ? options.jobs : cores_to_use();
   if (options.dry_run) return print_plan(given, plan_of(options, jobs, at_once), console);

@@ -33,15 +33,15 @@ bool is_thesis(const scene::Scene &pulse, const char *built_in) {
   return scene::to_toml(thesis) == scene::to_toml(pulse);
 }
 
-PulseScales scales_of(const char *built_in, const MainTarget &target, const std::optional<SpeedRange> &wished) {
+PulseScales scales_of(const char *built_in, const MainTarget &target, const std::optional<SpeedRange> &asked) {
   const scene::Scene pulse = for_target(built_in, target, "excitation.scale=1.0");
-  if (wished || !is_thesis(pulse, built_in)) return pulse_scales(pulse, wished.value_or(SpeedRange{}));
+  if (asked || !is_thesis(pulse, built_in)) return pulse_scales(pulse, asked.value_or(SpeedRange{}));
   return {.pulses = {{1.10, 0, true}, {1.05, 0, true}, {1.0, 0, false}}};
 }
 
 /// The windows' scene with steel that knows its rate where theirs does not, and the other way round.
 scene::Scene with_other_steel(scene::Scene window) {
-  const bool is_fast = window.bearing.steel.knows_rate();
+  const bool is_fast = window.bearing.rim_steel().knows_rate();
   for (const auto &[table, steel] : steels_of(window.bearing))
     if (is_fast)
       steel->rate.model = scene::RateModel::none;
@@ -61,7 +61,8 @@ std::vector<Job> twins_of(const std::vector<Job> &jobs, const std::string &folde
   std::vector<Job> result;
   for (const std::size_t k : std::set<std::size_t>{0, windows.size() / 2, windows.size() - 1}) {
     if (k >= windows.size()) continue;
-    const std::string name = windows[k]->name + (windows[k]->scene.bearing.steel.knows_rate() ? "-static" : "-fast");
+    const std::string name =
+        windows[k]->name + (windows[k]->scene.bearing.rim_steel().knows_rate() ? "-static" : "-fast");
     result.push_back({.name = name,
                       .role = JobRole::twin,
                       .scene = with_other_steel(windows[k]->scene),

@@ -32,7 +32,7 @@ struct MainChoices {
   std::vector<double> speeds{1.0, 0.6, 0.35, 0.2, 0.1, 0.05}; ///< of the windows [m/s]
   bool windows_only = false;
   bool bidirectional = false;             ///< also pulse-bidirectional, to predict
-  std::optional<SpeedRange> pulse_speeds; ///< wished of the pulses
+  std::optional<SpeedRange> pulse_speeds; ///< that the pulses are to reach
   std::optional<bool> twins;              ///< of the steel's rate; none: for every bearing but the built-in ones
 };
 

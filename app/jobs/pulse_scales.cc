@@ -66,9 +66,9 @@ PulseScales pulse_scales(scene::Scene pulse, const SpeedRange &range) {
     return result;
   }
   const double middle = (range.low + range.high) / 2;
-  const std::pair<double, bool> wished[] = {
+  const std::pair<double, bool> asked[] = {
       {range.high, true}, {middle, true}, {std::min(2 * range.low, (range.low + middle) / 2), false}};
-  for (const auto &[speed, fitted] : wished) {
+  for (const auto &[speed, fitted] : asked) {
     std::string why;
     const auto scale = scale_for(pulse, *result.first_touch, speed, why);
     if (!scale) {

@@ -1,4 +1,4 @@
-/// Scales of a Ricker pulse at which a bearing meets its rim with wished speeds, by the reduced model.
+/// Scales of a Ricker pulse at which a bearing meets its rim at given speeds, by the reduced model.
 #pragma once
 #include "scene/scene.h"
 #include <optional>

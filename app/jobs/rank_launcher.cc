@@ -80,8 +80,8 @@ int usual_ranks(const std::vector<std::string> &words) {
     add_run_words(*verb, run, console);
     app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
     const scene::Scene scene = scene::load_scene(run.scene, console.settings());
-    const bool dear = has_dish(scene.model.rung) && scene.model.mesh > 0;
-    return dear && !run.dry_run ? usual : 1;
+    const bool expensive = has_dish(scene.model.rung) && scene.model.mesh > 0;
+    return expensive && !run.dry_run ? usual : 1;
   } catch (const std::exception &) { // help is asked for, or something is wrong: rimpact-fe tells
     return 1;
   }

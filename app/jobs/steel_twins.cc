@@ -35,7 +35,7 @@ std::vector<Job> without_twins(const std::vector<Job> &jobs) {
 }
 
 std::optional<calibration::SteelBand> steel_band(const MainTarget &target, const std::vector<Job> &jobs) {
-  const scene::Material &steel = target.scene.bearing.steel;
+  const scene::Material &steel = target.scene.bearing.rim_steel();
   calibration::SteelBand band{.rate = fast_rate(steel),
                               .assumed = !steel.knows_rate(),
                               .runs_are_static = !steel.knows_rate(),

@@ -91,7 +91,7 @@ calibration::VaryQuestion vary_question(const VaryWords &words, const GivenCase 
                                      .speed = speed_of(words.at),
                                      .mass = given.scene.load.mass,
                                      .weight = given.scene.load.vertical,
-                                     .strain_limit = given.scene.bearing.steel.strain_limit,
+                                     .strain_limit = scene::strain_limit(given.scene.bearing),
                                      .targets = targets_of(words.targets)};
   std::size_t n = 1;
   for (const auto &word : words.vary) {

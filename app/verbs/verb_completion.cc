@@ -37,7 +37,7 @@ std::vector<VerbWords> tree_of(const nlohmann::json &list) {
 }
 
 /// The finite-element program's own tree; nothing where it was not built.
-std::vector<VerbWords> sibling_tree() {
+std::vector<VerbWords> fe_tree() {
   const std::string program = program_beside("rimpact-fe");
   if (access(program.c_str(), X_OK) != 0) return {};
   const std::string kept = (std::filesystem::temp_directory_path() / fmt::format("rimpact-tree-{}", getpid())).string();
@@ -57,7 +57,7 @@ void add_completion(CLI::App &verb, Console &console) {
     auto verbs = command_tree(app);
     const bool is_light = std::any_of(verbs.begin(), verbs.end(), [](const auto &v) { return v.name == "list"; });
     if (is_light) // it knows the names of the finite-element verbs only
-      for (auto &other : sibling_tree())
+      for (auto &other : fe_tree())
         for (auto &own : verbs)
           if (own.name == other.name && own.options.size() < other.options.size()) own = other;
     const auto known = parse<Shell>(*shell); // else json

@@ -57,8 +57,9 @@ nlohmann::json answer_of(const CurveOptions &options, const reduced::RimCurveFil
 nlohmann::json write_fast_curve(const CurveOptions &options, const reduced::RimCurveFile &slow,
                                 const scene::Bearing &bearing) {
   if (!options.at_speed) return nullptr;
-  const fe::FastCurve fast = fe::fast_curve(slow, bearing, options.order.mass, *options.at_speed);
+  fe::FastCurve fast = fe::fast_curve(slow, bearing, options.order.mass, *options.at_speed);
   const std::string file = options.folder + "/curve-fast.h5";
+  fast.file.made_by += fmt::format(", steel at {:.3g} 1/s as of an approach at {:g} m/s", fast.rate, *options.at_speed);
   reduced::write_rim_curve(fast.file, file);
   return {{"file", file}, {"speed_m_s", *options.at_speed}, {"rate_per_s", fast.rate}, {"factor", fast.factor}};
 }
@@ -115,10 +116,16 @@ void curve(CurveOptions &options, Console &console) {
   if (console.mesh >= 0) scene.model.mesh = console.mesh;
   scene.validate();
   fe::check_supported(scene);
-  if (scene.bearing.steel.knows_rate() && !options.at_speed)
+  const scene::Material &steel = scene.bearing.rim_steel();
+  if (options.at_speed && !steel.knows_rate()) // before the minutes of a push
+    throw InputError("--at-speed needs bearing.material.steel.rate (or the rim's): the rim's steel knows no rate");
+  if (options.at_speed && *options.at_speed > options.order.speed)
+    throw InputError(fmt::format("--at-speed {:g} is beyond --speed {:g}, which the curve is pushed for",
+                                 *options.at_speed, options.order.speed));
+  if (steel.knows_rate() && !options.at_speed)
     console.warn(fmt::format(
         "the curve is pushed infinitely slowly: the steel's law of the rate ({}) has no part in it (--at-speed)",
-        in_words(scene.bearing.steel.rate)));
+        in_words(steel.rate)));
   if (options.folder.empty()) options.folder = default_folder(scene.bearing.name) + "-curve";
   const std::filesystem::path folder(options.folder);
   if (std::filesystem::exists(folder / "curve.h5") && !console.force)
@@ -126,6 +133,7 @@ void curve(CurveOptions &options, Console &console) {
   std::error_code failed;
   std::filesystem::create_directories(folder, failed);
   if (failed) throw IoError("cannot make the folder " + options.folder + ": " + failed.message());
+  std::filesystem::remove(folder / "curve-fast.h5", failed); // of an earlier curve
   watch_interrupts();
   ProgressLine line(console.quiet);
   fe::RunOptions run;
@@ -163,7 +171,7 @@ void add_curve(CLI::App &verb, Console &console) {
   verb.add_flag("--held", options->order.held_only,
                 "the path with the height held alone, for windows without weight: half the time; no estimate of the "
                 "mesh's error");
-  verb.add_option("--mesh", console.mesh, "1 | 2 | 3: finer and dearer")->check(CLI::Range(0, 3));
+  verb.add_option("--mesh", console.mesh, "1 | 2 | 3: finer and more expensive")->check(CLI::Range(0, 3));
   console.add_common(verb);
   console.add_json(verb);
   console.add_force(verb);

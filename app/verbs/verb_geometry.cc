@@ -153,7 +153,7 @@ void add_geometry(CLI::App &verb, Console &console) {
                   "meets it; repeatable")
       ->allow_extra_args(false);
   verb.add_flag("--no-proof", options->no_proof, "without the solid run of the rim that --vary answers with");
-  verb.add_option("--mesh", console.mesh, "1 | 2 | 3: finer and dearer")->check(CLI::Range(0, 3));
+  verb.add_option("--mesh", console.mesh, "1 | 2 | 3: finer and more expensive")->check(CLI::Range(0, 3));
   verb.add_option("--jobs", options->jobs, "runs side by side (default: one a core)")->check(CLI::Range(1, 64));
   verb.add_flag("--dry-run", options->dry_run, "list the runs and the time they take, and stop");
   verb.add_option("--samples", options->study.samples, "impacts by finite elements, about a minute each")

@@ -79,7 +79,7 @@ void make_runs(JobRunner &runner, std::vector<Job> &jobs, EarlyAnswer &early, Ma
 }
 
 /// Throws InputError where the error asked for cannot be had.
-std::optional<double> wished_error(const MainOptions &options, const std::vector<std::string> &laws) {
+std::optional<double> asked_error(const MainOptions &options, const std::vector<std::string> &laws) {
   if (options.until.empty()) return {};
   const double until = share_of_percent(options.until);
   if (laws.empty())
@@ -93,7 +93,7 @@ void run_main(MainOptions options, Console &console) {
   if (!options.pulse_speeds.empty()) options.choices.pulse_speeds = speed_range(options.pulse_speeds);
   MainContext context{
       .folder = options.folder, .laws = laws_named(options.laws), .document = document_json(options.document)};
-  EarlyAnswer early(options.folder, context.laws, wished_error(options, context.laws), console);
+  EarlyAnswer early(options.folder, context.laws, asked_error(options, context.laws), console);
   const MainTarget target = main_target(options.target, console.settings());
   auto [jobs, left_out] = main_jobs(target, options.choices, options.folder);
   context.warnings = target.warnings;

@@ -78,7 +78,7 @@ std::string in_words(const std::string &quantity, double limit, const Headline &
   std::string text = fmt::format("{:>28} > {:<8g} ", quantity, limit);
   if (line.settled) return text + fmt::format("{:9.3e} {:9.3e}\n", line.least, line.largest);
   return text +
-         fmt::format("between {:.1e} and {:.1e}: the levels do not settle it\n", line.range_low, line.range_high);
+         fmt::format("between {:.1e} and {:.1e}: the levels do not decide it\n", line.range_low, line.range_high);
 }
 
 /// FEMA P-695: the least and the mean margin of all systems beside what is asked.

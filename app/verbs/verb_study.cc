@@ -1,4 +1,4 @@
-// rimpact study SCENE: the same scene with cheaper and dearer settings, speed against error.
+// rimpact study SCENE: the same scene with cheaper and more expensive settings, speed against error.
 #include "app/console/child_process.h"
 #include "app/console/interrupts.h"
 #include "app/jobs/folder_claim.h"

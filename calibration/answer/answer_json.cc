@@ -111,7 +111,7 @@ json band_json(const SteelBand &band) {
 /// Of the solids that the law is fitted to.
 json steel_rate_json(const Answer &a) {
   if (a.sources.count(RunSource::finite_elements) == 0) return nullptr;
-  const scene::Material &steel = a.scene.bearing.steel;
+  const scene::Material &steel = a.scene.bearing.rim_steel();
   return steel.knows_rate() ? in_words(steel.rate) : word(scene::RateModel::none);
 }
 

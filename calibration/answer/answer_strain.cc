@@ -53,7 +53,8 @@ PlaceStrain place_strain(SteelPlace place, const BySpeed &damage, const BySpeed 
 }
 
 /// Of all runs, means over averaging_radius.
-std::vector<PlaceStrain> by_places(const Calibration &c, const std::vector<const StoredRun *> &runs, double limit) {
+std::vector<PlaceStrain> by_places(const Calibration &c, const std::vector<const StoredRun *> &runs, double limit,
+                                   double limit_of_slider) {
   std::map<SteelPlace, std::pair<BySpeed, BySpeed>> values;
   for (const StoredRun *run : runs) {
     if (run->impacts.empty()) continue;
@@ -65,7 +66,7 @@ std::vector<PlaceStrain> by_places(const Calibration &c, const std::vector<const
   std::vector<PlaceStrain> result;
   for (auto &[place, both] : values) {
     std::sort(both.first.begin(), both.first.end()), std::sort(both.second.begin(), both.second.end());
-    result.push_back(place_strain(place, both.first, both.second, limit));
+    result.push_back(place_strain(place, both.first, both.second, is_of_the_rim(place) ? limit : limit_of_slider));
   }
   return result;
 }
@@ -105,14 +106,15 @@ std::optional<AnswerStrain> answer_strain(const Calibration &c, const std::vecto
     if (row.strain.largest > s.limit) break;
     s.largest_speed_below_limit = row.speed;
   }
-  s.places = by_places(c, runs, s.limit);
+  const double limit_of_slider = bearing.steel_of(scene::SteelPart::slider).strain_limit.value_or(s.limit);
+  s.places = by_places(c, runs, s.limit, limit_of_slider);
   s.sentence = sentence(s);
   if (crack.place)
     s.crack_sentence = fmt::format(
         "A crack begins at a damage of 1; the runs reach {:.2f}, in {} at {:.3g} m/s ({}; a mean over {:g} "
         "mm). No crack is in the model: beyond 1 its forces are no result.",
-        crack.value, description(*crack.place), crack.speed, constants_of(bearing.steel), 1e3 * averaging_radius);
-  if (slider.value > s.limit)
+        crack.value, description(*crack.place), crack.speed, constants_of(bearing.rim_steel()), 1e3 * averaging_radius);
+  if (slider.value > limit_of_slider)
     s.slider_sentence = fmt::format("The slider's edge is crushed, by {} at {:.3g} m/s: plan to replace the slider.",
                                     percent_up(slider.value), slider.speed);
   return s;

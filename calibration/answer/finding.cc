@@ -12,13 +12,13 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Processor time over rung rim's in kept studies (data/studies, mesh 1): windows, motions.
-struct Dearer {
+struct CostRatio {
   double window, motion;
 };
-constexpr Dearer dearer_dish{5.4, 11}, dearer_full{10, 25};
+constexpr CostRatio cost_of_dish{5.4, 11}, cost_of_full{10, 25};
 
-Dearer of_rung(scene::Rung rung) {
-  return rung == scene::Rung::rim ? Dearer{1, 1} : rung == scene::Rung::full ? dearer_full : dearer_dish;
+CostRatio of_rung(scene::Rung rung) {
+  return rung == scene::Rung::rim ? CostRatio{1, 1} : rung == scene::Rung::full ? cost_of_full : cost_of_dish;
 }
 
 fs::path folder_of(const StoredRun &run) {
@@ -43,8 +43,8 @@ double minutes(double runs, const RunFacts &facts) {
 /// A rim curve along one path takes 65 s of processor time on mesh 1 (tests/verification/rim_curve.txt has both paths),
 /// and 6.2 times as long a level on.
 double curve_minutes(int mesh) {
-  constexpr double seconds = 65, dearer_a_level = 6.2;
-  return seconds / 60 * std::pow(dearer_a_level, mesh - 1);
+  constexpr double seconds = 65, cost_a_level = 6.2;
+  return seconds / 60 * std::pow(cost_a_level, mesh - 1);
 }
 
 bool is_felt(const scene::Assumption &assumed) {
@@ -67,9 +67,9 @@ Finding find_rung(const StoredRun &run, const RunFacts &facts) {
   const auto own = facts.rung.value_or(scene::Rung::rim);
   double runs = 0;
   std::string words;
-  const auto dear = [&](scene::Rung rung) { return run.is_window() ? of_rung(rung).window : of_rung(rung).motion; };
+  const auto cost = [&](scene::Rung rung) { return run.is_window() ? of_rung(rung).window : of_rung(rung).motion; };
   for (const auto rung : {own, scene::Rung::full})
-    runs += dear(rung) / dear(own), words += (words.empty() ? "" : ",") + word(rung);
+    runs += cost(rung) / cost(own), words += (words.empty() ? "" : ",") + word(rung);
   return {fmt::format("rimpact study {} --axes rung --rungs {} {}", scene_of(run), words, beside(run, "study-rung")),
           minutes(runs, facts)};
 }

@@ -129,7 +129,7 @@ void SolidErrors::of_steel(ErrorParts &parts) const {
     parts.add(Erring::peak_force, ErrorSource::steel, {.value = force, .how = Known::transferred, .from = from});
     parts.add(Erring::rebound, ErrorSource::steel, {.value = rebound, .how = Known::transferred, .from = from});
   };
-  if (const auto &steel = answer_.scene.bearing.steel; steel.knows_rate())
+  if (const auto &steel = answer_.scene.bearing.rim_steel(); steel.knows_rate())
     both({}, {}, fmt::format("the constants of its rate, {}: no run varies them", in_words(steel.rate)));
   else
     both(rate_of_mild_steel_force, rate_of_mild_steel_rebound,

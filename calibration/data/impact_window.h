@@ -9,7 +9,7 @@ namespace rimpact::calibration {
 
 /// Where a reduced rim begins in a fit.
 enum class TouchReference {
-  automatic, ///< L_c for a virgin arc, own_touch where the reference was already beyond L_c without touching
+  automatic, ///< L_c for an arc without a dent, own_touch where the reference was already beyond L_c without touching
   gap,       ///< always L_c: penetration = -gap as docs/interface.md defines it
   own_touch  ///< the travel at which the reference itself touched
 };

@@ -31,8 +31,8 @@ void doubt_impulse(StoredRun &run, const MeasuredRecord &record, const MeasuredI
         contact.touch_time, ratio, error, run.scene.load.mass));
 }
 
-/// The first touch of a virgin rim is at L_c, to the record's noise and its sampling. The law's stiffness follows from
-/// the depth: 0.4 mm, less than a drawing's tolerance, make a rim that gives way by 2 mm a third too soft.
+/// The first touch of a rim without a dent is at L_c, to the record's noise and its sampling. The law's stiffness
+/// follows from the depth: 0.4 mm, less than a drawing's tolerance, make a rim that gives way by 2 mm a third too soft.
 void doubt_place(StoredRun &run, const MeasuredRecord &record, const MeasuredImpact &impact) {
   constexpr double felt = 0.25e-3; // [m]
   const Contact &contact = record.contacts()[impact.index];

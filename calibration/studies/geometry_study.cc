@@ -5,11 +5,19 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <functional>
 
 namespace rimpact::calibration {
 
 namespace {
-using scene::Scene;
+using scene::Scene, scene::Material;
+
+/// The bearing's steel and, where the rim has another one, the rim's.
+void each_of_the_rim(Scene &scene, const std::function<void(Material &)> &change) {
+  change(scene.bearing.steel);
+  const auto own = scene.bearing.part_steels.find(scene::SteelPart::rim);
+  if (own != scene.bearing.part_steels.end()) change(own->second);
+}
 
 /// Height of the slider's side that stands before the rim's wall at L_c.
 double contact_band(const Scene &s) {
@@ -58,11 +66,12 @@ const std::vector<GeometryAxis> &geometry_axes() {
        [](Scene &s, double v) { s.bearing.slider.diameter = v; }},
       {"contact_band", "mm", 1e-3, 0.8, 1.2, false, contact_band,
        [](Scene &s, double v) { s.bearing.slider.bottom += contact_band(s) - v; }},
-      {"yield_stress", "MPa", 1e6, 0.7, 1.4, false, [](const Scene &s) { return s.bearing.steel.yield.value_or(0); },
-       [](Scene &s, double v) { s.bearing.steel.yield = v; }},
+      {"yield_stress", "MPa", 1e6, 0.7, 1.4, false,
+       [](const Scene &s) { return s.bearing.rim_steel().yield.value_or(0); },
+       [](Scene &s, double v) { each_of_the_rim(s, [v](Material &steel) { steel.yield = v; }); }},
       {"tangent_modulus", "MPa", 1e6, 0.4, 2.5, false,
-       [](const Scene &s) { return s.bearing.steel.tangent_modulus.value_or(0); },
-       [](Scene &s, double v) { s.bearing.steel.tangent_modulus = v; }},
+       [](const Scene &s) { return s.bearing.rim_steel().tangent_modulus.value_or(0); },
+       [](Scene &s, double v) { each_of_the_rim(s, [v](Material &steel) { steel.tangent_modulus = v; }); }},
       {"speed", "m/s", 1, 0.1, 0.8, true, [](const Scene &s) { return s.excitation.speed; },
        [](Scene &s, double v) { s.excitation.speed = v; }},
   };
@@ -85,11 +94,12 @@ void GeometryOptions::validate() const {
 
 std::vector<Scene> geometry_scenes(const Scene &window, const GeometryOptions &options) {
   options.validate();
-  if (!window.bearing.steel.yield || window.bearing.steel.tangent_modulus.value_or(0) <= 0)
+  const Material &steel = window.bearing.rim_steel();
+  if (!steel.yield || steel.tangent_modulus.value_or(0) <= 0)
     throw InputError(
         fmt::format("material.steel needs yield_MPa and tangent_modulus_MPa > 0 for a geometry study, which "
                     "varies two straight lines; its hardening is \"{}\"",
-                    word(window.bearing.steel.hardening.law)));
+                    word(steel.hardening.law)));
   const auto speeds = range_of(geometry_axes().back(), window, options);
   std::vector<Scene> scenes;
   for (const double share : {0.0, 0.5, 1.0}) {

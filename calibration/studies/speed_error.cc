@@ -12,7 +12,7 @@ namespace {
 
 constexpr double refinement = 1.5; // of h from mesh to mesh
 
-/// Order of the dearest; the plan's own step counts as the largest.
+/// Order of the most expensive; the plan's own step counts as the largest.
 auto fineness(const StudyRun &run) {
   return std::tuple(run.rung, run.on_curve, run.mesh, run.step > 0 ? -run.step : -1e3);
 }

@@ -1,4 +1,5 @@
-/// Speed against error: runs of one scene with dearer and cheaper settings, each compared with the dearest.
+/// Speed against error: runs of one scene with more and less expensive settings, each compared with the most
+/// expensive.
 #pragma once
 #include "calibration/data/metrics.h"
 #include "responses/choices.h"

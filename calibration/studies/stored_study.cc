@@ -16,7 +16,7 @@ using nlohmann::json;
 constexpr double near_in_speed = 2; // a study farther off by this factor is said to be far
 /// A level divides sizes by 1.5 and so has 3.4 times the unknowns; kept studies took 6 to 12 times the time from mesh 1
 /// to 2.
-constexpr double dearer_a_level = 6.2;
+constexpr double cost_a_level = 6.2;
 
 void add(const fs::path &file, const std::string &name, std::vector<StoredStudy> &studies) {
   std::ifstream text(file);
@@ -96,7 +96,7 @@ std::pair<std::string, double> command(const scene::Scene &scene, const AskedRun
     text += fmt::format(" -o {}", (folder / ".." / ("study-" + name.string())).lexically_normal().string());
   double seconds = 0;
   for (int mesh = coarsest; mesh < coarsest + 3; ++mesh)
-    seconds += asked.seconds * std::pow(dearer_a_level, mesh - scene.model.mesh);
+    seconds += asked.seconds * std::pow(cost_a_level, mesh - scene.model.mesh);
   return {text, seconds / 60};
 }
 

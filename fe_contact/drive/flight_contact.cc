@@ -135,8 +135,9 @@ void FlightRun::follow(const SolvedStep &step) {
   if (options_.progress)
     options_.progress({bearing_.t, end_time(), step.dt, step.report.iterations, -penetration(), force, Phase::contact});
   if (system_.walls_touch(arc().state)) impact_.touch();
-  if (const auto sentence = loss_of_balance(record_.ledger, bearing_.t)) stop_impact(*sentence);
   refuse_passage();
+  if (const auto sentence = impact_.touched() ? loss_of_balance(record_.ledger, bearing_.t) : std::nullopt)
+    stop_impact(*sentence);
 }
 
 void FlightRun::picture(double t, double dt) {

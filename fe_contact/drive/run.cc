@@ -59,7 +59,8 @@ Summary summarise(const scene::Scene &scene, const RunRecord &record) {
   }
   summary.steel = record.steel;
   summary.foot = foot_report(record.response, scene.bearing);
-  if (scene.bearing.steel.knows_rate()) summary.extra["steel_rate"] = in_words(scene.bearing.steel.rate);
+  if (const auto &steel = scene.bearing.rim_steel(); steel.knows_rate())
+    summary.extra["steel_rate"] = in_words(steel.rate);
   summary.time_split["output"] = std::max(0.0, output); // meshing, flights and files
   summary.extra["cuts"] = record.n_cuts;
   for (const auto &count : solver_counts) summary.extra["solver_work"][count.sum] = work.*count.of;
@@ -94,9 +95,10 @@ namespace {
 
 /// What to say of a push whose steel knows its rate: nothing of it takes time.
 std::optional<std::string> doubt_of_rate(const scene::Scene &scene) {
-  if (!scene.bearing.steel.knows_rate() || scene.excitation.kind != scene::ExcitationKind::push) return {};
+  const scene::Material &steel = scene.bearing.rim_steel();
+  if (!steel.knows_rate() || scene.excitation.kind != scene::ExcitationKind::push) return {};
   return fmt::format("a push is infinitely slow: the steel's law of the rate ({}) has no part in it",
-                     in_words(scene.bearing.steel.rate));
+                     in_words(steel.rate));
 }
 
 /// Whether the run goes on from the folder's checkpoint. Where the checkpoint holds nothing but the beginning it starts

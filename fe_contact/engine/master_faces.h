@@ -26,7 +26,7 @@ public:
   MasterFaces(MasterFaces &&) noexcept;
 
   /// Opposite of x at dof displacements u, `guess` the face to try first (-1: none); past free edges up to
-  /// `beyond` half widths of a face; none where the place does not settle within a nanometre.
+  /// `beyond` half widths of a face; none where the place is not found within a nanometre.
   Opposite find(const Eigen::Vector3d &x, const Eigen::VectorXd &u, int guess, double beyond) const;
   /// x pulled back with the displacement of a face's middle (-1: the group's first): good enough to look up what is
   /// near.

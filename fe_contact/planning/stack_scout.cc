@@ -14,12 +14,12 @@ namespace {
 /// Half a second after it was last farther than a millimetre from where it stays, which is more than its springs ring
 /// by [s].
 double end_of_sliding(const Response &response) {
-  constexpr double time_to_settle = 0.5, ringing = 1e-3;
+  constexpr double time_to_rest = 0.5, ringing = 1e-3;
   const auto &t = response.series("time"), &x = response.series("displacement_x"),
              &y = response.series("displacement_y");
   std::size_t k = t.size() - 1;
   while (k > 0 && std::hypot(x[k] - x.back(), y[k] - y.back()) < ringing) --k;
-  return t[k] + time_to_settle;
+  return t[k] + time_to_rest;
 }
 
 /// Shortly before the slider first leaves where it is [s].

@@ -7,7 +7,7 @@ namespace rimpact::fe {
 
 struct StepLimits {
   double first, smallest, largest; ///< [s], or of the load parameter
-  double growth = 1.5;             ///< after an accepted step that wishes no other
+  double growth = 1.5;             ///< after an accepted step that suggests no other
 };
 
 /// What came of one attempt at a step. A rejected one may suggested_step a shorter step (else it is halved), an

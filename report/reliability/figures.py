@@ -87,7 +87,7 @@ def fragility(layout: Layout, rows: list[Row], quantity: str, limits: list[float
 
 
 def reliability(layout: Layout, rows: list[Row], quantity: str, years: float, path: str) -> str:
-    """Probability in a lifetime over the limit, with its band; dotted: the range where the levels do not settle it."""
+    """Probability in a lifetime over the limit, with its band; dotted: the range where the levels do not decide it."""
     fig, grid, panels = _grid(layout)
     colours = _colours(layout)
     for (_, systems), ax in zip(panels, grid.flat):

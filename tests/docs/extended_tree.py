@@ -53,7 +53,7 @@ def main() -> None:
         if extended(tree) < 12:
             sys.exit("docs/extending.md adds less than it did")
         off = [f"-DRIMPACT_{part}=OFF" for part in ("FE", "TESTS", "PYTHON", "BENCHMARKS", "NATIVE")]
-        for command in (["cmake", "-S", tree, "-B", tree / "built", "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_UNITY_BUILD=ON", *off],
+        for command in (["cmake", "-S", tree, "-B", tree / "built", "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", "-DRIMPACT_UNITY=ON", *off],
                         ["cmake", "--build", tree / "built", "--target", "rimpact", "--parallel", "2"]):
             done = subprocess.run(command, capture_output=True, text=True, check=False)
             if done.returncode != 0:

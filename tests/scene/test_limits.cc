@@ -265,6 +265,14 @@ TEST(Limits, TheRimsStrainIsJudgedAndTheSlidersEdgeIsSaidBeside) {
   const SteelReport back = steel_report_in(to_json(s), "here");
   EXPECT_EQ(back.at(SteelPlace::rim_root).triaxiality, 0.5);
   EXPECT_EQ(back.at(SteelPlace::slider_edge).averaged, 0.21);
+  Scene hard = scene; // a slider of its own, beside a rim that is not judged
+  hard.bearing.part_steels[SteelPart::slider] = hard.bearing.steel;
+  hard.bearing.steel.strain_limit.reset();
+  Summary own = s;
+  own.extra = {};
+  judge(hard, own);
+  ASSERT_EQ(warnings(own).size(), 1u);
+  EXPECT_NE(warnings(own)[0].find("the slider's edge is crushed"), std::string::npos) << warnings(own)[0];
   s.steel[SteelPlace::dish].averaged = 0.25;
   s.extra = {};
   judge(scene, s);

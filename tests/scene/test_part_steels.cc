@@ -99,6 +99,13 @@ TEST(PartSteels, KeysThatNothingReadsAreSaid) {
   const auto remarks = with("[bearing.material.rim]\nrate_D_per_s = 100\n").remarks;
   ASSERT_EQ(remarks.size(), 1u);
   EXPECT_EQ(remarks[0].find("bearing.material.rim.rate_D_per_s is not read by this scene"), 0u) << remarks[0];
+  // By the rim's own choice, not by the base steel's.
+  const auto own = with("[bearing.material.steel]\nrate = \"cowper-symonds\"\n[bearing.material.rim]\nrate = \"none\"\n"
+                        "rate_D_per_s = 100\n")
+                       .remarks;
+  ASSERT_EQ(own.size(), 1u);
+  EXPECT_NE(own[0].find("bearing.material.rim.rate \"none\""), std::string::npos) << own[0];
+  EXPECT_EQ(own[0].find("cowper-symonds"), std::string::npos) << own[0];
 }
 
 TEST(PartSteels, BackstressAndSofteningAreReadAndWrittenBack) {
