@@ -164,7 +164,8 @@ TEST(Doubts, RecordsThatBelongToAnotherAxis) {
   ASSERT_EQ(of("", "", along).size(), 1u);
   ASSERT_EQ(of(along, along, "").size(), 1u);
   EXPECT_NE(of(along, along, "")[0].find("excitation.x and excitation.y are the same component"), std::string::npos);
-  // Of another station: A090 beside its own A000 is none, B000 is one, along any two axes; what says no station is none.
+  // Of another station: A090 beside its own A000 is none, B000 is one, along any two axes; what says no station is
+  // none.
   const std::string across = folder.write("A000.AT2", text), other = folder.write("B000.AT2", text),
                     other_up = folder.write("B-UP.AT2", text);
   EXPECT_TRUE(of(along, across, up).empty());
