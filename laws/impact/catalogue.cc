@@ -68,7 +68,7 @@ void visit(KeyVisitor &v, LawNumbers &numbers, const ImpactLaw *&law) {
   v.word({.name = "impact_law", .comment = words.c_str(), .meaning = "law of the rim, see laws"}, written, names);
   law = &impact_law(written);
   for (const auto *family : families())
-    if (family != families().front() && v.wants(reads(*family))) family->visit(v, numbers, *law);
+    if (family != families().front() && family->visit && v.wants(reads(*family))) family->visit(v, numbers, *law);
 }
 
 bool ImpactLaw::reads(const std::string &parameter) const {
