@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 #include <random>
+#include <string>
 
 namespace rimpact::test {
 
@@ -53,6 +54,17 @@ inline void expect_consistent_tangent(const HenckyJ2 &law, const J2State &old, c
       const Matrix3 exact = predicted_change(total, F, dF);
       EXPECT_LT((difference - exact).norm(), 2e-6 * h * 200e9) << "component " << i << j;
     }
+}
+
+/// From ten states that have flowed, steps of 0.1 ms at random.
+inline void expect_consistent_tangents(const HenckyJ2 &law, const std::string &name) {
+  std::mt19937 generator(7);
+  for (int sample = 0; sample < 10; ++sample) {
+    SCOPED_TRACE(name);
+    const J2State history = law.step(J2State{}, random_gradient(generator, 0.02), 1e-4).state;
+    ASSERT_GT(history.alpha, 0);
+    expect_consistent_tangent(law, history, random_gradient(generator, 0.02), 1e-4);
+  }
 }
 
 /// A point of a bar that is pulled: the lateral stretch is the one without lateral stress.

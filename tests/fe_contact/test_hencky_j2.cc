@@ -56,13 +56,7 @@ TEST(HenckyJ2, TangentOfEveryCurveAgreesWithDifferences) {
       scene::Material steel_at_speed = material;
       steel_at_speed.rate.model = model;
       const HenckyJ2 law = HenckyJ2::from(steel_at_speed);
-      std::mt19937 generator(7);
-      for (int sample = 0; sample < 10; ++sample) {
-        SCOPED_TRACE(name);
-        const J2State history = law.step(J2State{}, random_gradient(generator, 0.02), 1e-4).state;
-        ASSERT_GT(history.alpha, 0);
-        expect_consistent_tangent(law, history, random_gradient(generator, 0.02), 1e-4);
-      }
+      test::expect_consistent_tangents(law, name);
     }
 }
 

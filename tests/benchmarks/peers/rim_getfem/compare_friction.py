@@ -5,7 +5,6 @@ The slider rises as it presses: friction holds it down at first, and lets go as 
 upward force within 1 % of that force. Below, the contact is as narrow as a cell, and tractions that are quadratic in it differ from points.
 Exit codes: 0 gates met, 1 missed, 77 GetFEM (Debian's python3-getfem) is absent (CTest: skipped)."""
 import csv
-import importlib.util
 import pathlib
 import subprocess
 import sys
@@ -15,6 +14,7 @@ import numpy as np
 HERE = pathlib.Path(__file__).parent
 sys.path.insert(0, str(HERE.parent / "rim_calculix"))
 from compare_rim_push import SKIPPED, arguments, missed, reporter, timed  # noqa: E402
+from getfem_here import lacks_getfem  # noqa: E402
 
 FRICTION, TRAVEL, MESH = 0.2, 1.0, 0
 DEPTHS = np.arange(0.1, TRAVEL + 1e-9, 0.1)  # mm
@@ -31,8 +31,7 @@ def at_depths(rows, travel, force, lift):
 
 def main():
     options = arguments(__doc__).parse_args()
-    if importlib.util.find_spec("getfem") is None:
-        print("skipped: GetFEM (Debian's python3-getfem) is not installed, so there is nothing to compare with")
+    if lacks_getfem():
         return SKIPPED
     folder = options.folder.resolve()
     folder.mkdir(parents=True, exist_ok=True)

@@ -6,7 +6,6 @@ and 50 % of the force at the deepest point. With --speed ours, CalculiX and GetF
 extrapolated, over processor time. --keep: a GetFEM run that ended in the folder is not made again (mesh 1 takes minutes).
 Exit codes: 0 gates met, 1 missed, 77 GetFEM (Debian's python3-getfem) is absent (CTest: skipped)."""
 import csv
-import importlib.util
 import math
 import pathlib
 import subprocess
@@ -18,6 +17,7 @@ import numpy as np
 HERE = pathlib.Path(__file__).parent
 sys.path.insert(0, str(HERE.parent / "rim_calculix"))
 from compare_rim_push import SKIPPED, Run, arguments, missed, reporter, run_ccx, run_ours, table, timed  # noqa: E402
+from getfem_here import lacks_getfem  # noqa: E402
 
 GATES = {"largest difference of force": 0.02, "mean difference of force": 0.005, "difference of unloading stiffness": 0.03}
 WANTED = 0.01  # of the speed table
@@ -69,8 +69,7 @@ def main() -> int:
     parser = arguments(__doc__)
     parser.add_argument("--mesh", type=int, default=1), parser.add_argument("--speed", action="store_true"), parser.add_argument("--keep", action="store_true")
     options = parser.parse_args()
-    if importlib.util.find_spec("getfem") is None:
-        print("skipped: GetFEM (Debian's python3-getfem) is not installed, so there is nothing to compare with")
+    if lacks_getfem():
         return SKIPPED
     options.folder = options.folder.resolve()
     options.folder.mkdir(parents=True, exist_ok=True)

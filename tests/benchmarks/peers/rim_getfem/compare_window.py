@@ -6,7 +6,6 @@ Gates: force over depth from 0.5 to 4 mm, deepest penetration and plastic work w
 within 3 %. --keep: a GetFEM run that
 ended in the folder is not made again. Exit codes: 0 gates met, 1 missed, 77 GetFEM (Debian's python3-getfem) is absent (CTest: skipped)."""
 import csv
-import importlib.util
 import json
 import pathlib
 import re
@@ -18,6 +17,7 @@ import numpy as np
 HERE = pathlib.Path(__file__).parent
 sys.path.insert(0, str(HERE.parent / "rim_calculix"))
 from compare_rim_push import SKIPPED, arguments, missed, reporter, timed  # noqa: E402
+from getfem_here import lacks_getfem  # noqa: E402
 
 GATES = {"peak force": 0.03, "penetration": 0.02, "rebound": 0.03, "plastic work": 0.02, "force over depth": 0.02}
 SPEED = 0.3
@@ -69,8 +69,7 @@ def main():
     parser = arguments(__doc__)
     parser.add_argument("--mesh", type=int, default=0), parser.add_argument("--keep", action="store_true")
     options = parser.parse_args()
-    if importlib.util.find_spec("getfem") is None:
-        print("skipped: GetFEM (Debian's python3-getfem) is not installed, so there is nothing to compare with")
+    if lacks_getfem():
         return SKIPPED
     options.folder = options.folder.resolve()
     options.folder.mkdir(parents=True, exist_ok=True)
