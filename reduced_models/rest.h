@@ -1,6 +1,6 @@
 /// How long a resting bearing rests.
 #pragma once
-#include "reduced_models/hybrid_run.h"
+#include "reduced_models/dynamics.h"
 
 namespace rimpact::reduced {
 

@@ -133,8 +133,7 @@ json rim_foot(const scene::Scene &scene, Summary &summary) {
 /// Steel that was strained beyond the last row of its curve, where the stress is held.
 void warn_beyond_curve(const scene::Scene &scene, Summary &summary) {
   if (!summary.max_plastic_strain) return;
-  scene::Bearing bearing = scene.bearing;
-  for (const auto &[table, steel] : scene::steels_of(bearing)) {
+  for (const auto &[table, steel] : scene::steels_of(scene.bearing)) {
     if (!steel->yield || steel->hardening.law != scene::HardeningLaw::table) continue;
     const auto last = scene::flow_curve(*steel).rows.back();
     if (*summary.max_plastic_strain > last[0])

@@ -1,6 +1,6 @@
 /// Which physics the program holds.
 #pragma once
-#include "responses/identity.h"
+#include <string>
 
 namespace rimpact {
 

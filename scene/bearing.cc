@@ -81,10 +81,22 @@ double lift_over_rim(const Bearing &bearing) {
   return bearing.double_concave() ? top - edge : top - bearing.slider.bottom;
 }
 
-std::vector<std::pair<std::string, Material *>> steels_of(Bearing &bearing) {
-  std::vector<std::pair<std::string, Material *>> list{{"steel", &bearing.steel}};
+namespace {
+
+template <class Steel, class AnyBearing> std::vector<std::pair<std::string, Steel *>> all_steels(AnyBearing &bearing) {
+  std::vector<std::pair<std::string, Steel *>> list{{"steel", &bearing.steel}};
   for (auto &[part, steel] : bearing.part_steels) list.emplace_back(word(part), &steel);
   return list;
+}
+
+} // namespace
+
+std::vector<std::pair<std::string, Material *>> steels_of(Bearing &bearing) {
+  return all_steels<Material>(bearing);
+}
+
+std::vector<std::pair<std::string, const Material *>> steels_of(const Bearing &bearing) {
+  return all_steels<const Material>(bearing);
 }
 
 std::optional<double> strain_limit(const Bearing &bearing) {

@@ -130,6 +130,7 @@ struct Bearing {
 
 /// The bearing's steel and those of its parts, each with the table that has it, e.g. "rim".
 std::vector<std::pair<std::string, Material *>> steels_of(Bearing &bearing);
+std::vector<std::pair<std::string, const Material *>> steels_of(const Bearing &bearing);
 /// Plastic strain that the steel of the rim's side, wall and plate, is trusted to, the lower of both [-]; none: not
 /// judged.
 std::optional<double> strain_limit(const Bearing &bearing);

@@ -26,8 +26,7 @@ void check_materials(const Bearing &b) {
     require(*m.tangent_modulus < m.E, "material.{}.tangent_modulus_MPa {} must be below E_MPa {}", name,
             *m.tangent_modulus / 1e6, m.E / 1e6);
   };
-  Bearing copy = b;
-  for (const auto &[name, steel] : steels_of(copy)) {
+  for (const auto &[name, steel] : steels_of(b)) {
     check(name, *steel);
     if (steel->yield) check_hardening(name, *steel);
   }

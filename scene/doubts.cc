@@ -31,8 +31,7 @@ struct Usual {
 void doubt_materials(const Bearing &b, std::vector<std::string> &found) {
   std::vector<Usual> values{{"ertalyte.E_MPa", "MPa", b.ertalyte.E / 1e6, 1e2, 4e5},
                             {"ertalyte.density_kg_per_m3", "kg/m3", b.ertalyte.density, 5e2, 2e4}};
-  Bearing copy = b;
-  for (const auto &[table, steel] : steels_of(copy)) {
+  for (const auto &[table, steel] : steels_of(b)) {
     values.push_back({table + ".E_MPa", "MPa", steel->E / 1e6, 5e4, 4e5});
     values.push_back({table + ".density_kg_per_m3", "kg/m3", steel->density, 2e3, 2e4});
     if (steel->yield) values.push_back({table + ".yield_MPa", "MPa", *steel->yield / 1e6, 100, 2000});

@@ -50,12 +50,19 @@ constexpr std::array parts{ScenePart{"excitation.", "excitation.kind", true},
                            ScenePart{"bearing.contact.", "bearing.contact.pad_foot"},
                            ScenePart{"model.own_mesh.", "model.own_mesh.file"}};
 
+const std::string base_steel = "bearing.material.steel.";
+
+/// "bearing.material.rim." of a key of a part's steel; empty: it is of none.
+std::string part_table(const std::string &path) {
+  for (const auto &part : words<SteelPart>())
+    if (std::string table = "bearing.material." + part + "."; path.starts_with(table)) return table;
+  return {};
+}
+
 /// Of a part's steel as of the bearing's own: "bearing.material.rim.rate" as "bearing.material.steel.rate".
 std::string of_the_bearings_steel(const std::string &path) {
-  for (const auto &part : words<SteelPart>())
-    if (const std::string table = "bearing.material." + part + "."; path.starts_with(table))
-      return "bearing.material.steel." + path.substr(table.size());
-  return path;
+  const std::string table = part_table(path);
+  return table.empty() ? path : base_steel + path.substr(table.size());
 }
 
 const ScenePart *part_of(const std::string &key) {
@@ -67,9 +74,8 @@ const ScenePart *part_of(const std::string &key) {
 
 /// The choice that a key hangs on: of a part's steel that part's own.
 std::string choice_of(const std::string &key) {
-  const std::string choice = part_of(key)->choice, base = "bearing.material.steel.";
-  if (of_the_bearings_steel(key) == key || !choice.starts_with(base)) return choice;
-  return key.substr(0, key.find('.', std::string("bearing.material.").size()) + 1) + choice.substr(base.size());
+  const std::string choice = part_of(key)->choice, table = part_table(key);
+  return table.empty() || !choice.starts_with(base_steel) ? choice : table + choice.substr(base_steel.size());
 }
 
 /// Of [isolator] what a dish may stand on, in a building whose steps are implicit.

@@ -117,8 +117,7 @@ void curve(CurveOptions &options, Console &console) {
   scene.validate();
   fe::check_supported(scene);
   const scene::Material &steel = scene.bearing.rim_steel();
-  if (options.at_speed && !steel.knows_rate()) // before the minutes of a push
-    throw InputError("--at-speed needs bearing.material.steel.rate (or the rim's): the rim's steel knows no rate");
+  if (options.at_speed) fe::require_rate(scene.bearing);
   if (options.at_speed && *options.at_speed > options.order.speed)
     throw InputError(fmt::format("--at-speed {:g} is beyond --speed {:g}, which the curve is pushed for",
                                  *options.at_speed, options.order.speed));

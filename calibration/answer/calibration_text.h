@@ -1,6 +1,6 @@
 /// A calibration as text.
 #pragma once
-#include "calibration/answer/calibration_json.h"
+#include "calibration/answer/calibration.h"
 
 namespace rimpact::calibration {
 

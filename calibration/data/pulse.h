@@ -1,6 +1,6 @@
 /// The peak of a sampled force.
 #pragma once
-#include "calibration/data/impact_window.h"
+#include <vector>
 
 namespace rimpact::calibration {
 

@@ -1,6 +1,6 @@
 /// A fitted law as a CSV table.
 #pragma once
-#include "calibration/export/csi.h"
+#include "calibration/export/exported_rim.h"
 
 namespace rimpact::calibration {
 

@@ -28,10 +28,13 @@ void scale(laws::CurvePath &path, double factor) {
 
 } // namespace
 
+void require_rate(const scene::Bearing &bearing) {
+  if (!bearing.rim_steel().knows_rate())
+    throw InputError("a curve at speed needs bearing.material.steel.rate, or the rim's: the rim's steel knows no rate");
+}
+
 FastCurve fast_curve(const reduced::RimCurveFile &slow, const scene::Bearing &bearing, double mass, double speed) {
-  const scene::Material &steel = bearing.steel_of(scene::SteelPart::rim);
-  if (!steel.knows_rate())
-    throw InputError("a curve at speed needs bearing.material.steel.rate: the rim's steel knows no rate");
+  require_rate(bearing);
   if (slow.strain.strain.empty()) throw InputError("a curve at speed needs the rim's strain, which this curve has not");
   const laws::RimCurve held(slow.held);
   const double energy = 0.5 * mass * speed * speed, most = held.work(held.range());
@@ -41,7 +44,7 @@ FastCurve fast_curve(const reduced::RimCurveFile &slow, const scene::Bearing &be
   const double depth = held.depth_of(energy);
   FastCurve fast{.file = slow};
   fast.rate = speed * strain_at(slow.strain, depth) / depth;
-  fast.factor = 1 + RateLaw{steel.rate}.overstress(fast.rate);
+  fast.factor = 1 + RateLaw{bearing.rim_steel().rate}.overstress(fast.rate);
   scale(fast.file.held, fast.factor), scale(fast.file.dish, fast.factor);
   scale(fast.file.strain.penetration, fast.factor), scale(fast.file.strain.strain, fast.factor);
   scale(fast.file.foot.penetration, fast.factor), scale(fast.file.foot.use, fast.factor);

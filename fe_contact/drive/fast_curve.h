@@ -17,6 +17,8 @@ struct FastCurve {
   double factor = 1; ///< s [-], >= 1
 };
 
+/// Throws InputError where the rim's steel knows no rate: to be asked before the minutes of a push.
+void require_rate(const scene::Bearing &bearing);
 /// `mass` [kg] at `speed` [m/s], > 0. Throws InputError where the rim's steel knows no rate, the file has no strain, or
 /// its curve does not stop the mass.
 FastCurve fast_curve(const reduced::RimCurveFile &slow, const scene::Bearing &bearing, double mass, double speed);

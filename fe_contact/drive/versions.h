@@ -1,6 +1,8 @@
 /// Libraries of the finite-element program.
 #pragma once
-#include "fe_contact/drive/run.h"
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace rimpact::fe {
 

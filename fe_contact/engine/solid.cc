@@ -17,7 +17,7 @@ void make_symmetric(Matrix6 &tangent) {
 
 Solid::Solid(const Discretisation &space, const scene::Bearing &bearing)
     : Solid(space, {{meshes::Volume::plate, bearing.steel_of(scene::SteelPart::dish)},
-                    {meshes::Volume::rim, bearing.steel_of(scene::SteelPart::rim)},
+                    {meshes::Volume::rim, bearing.rim_steel()},
                     {meshes::Volume::foot, bearing.steel_of(scene::SteelPart::slider)},
                     {meshes::Volume::upper_slider, bearing.steel_of(scene::SteelPart::slider)},
                     {meshes::Volume::pad, bearing.ertalyte}}) {}

@@ -24,8 +24,7 @@ double depth_of_impact(const scene::Scene &scene, double speed) {
   constexpr double measured = 2.58e-3, at_energy = 1739; // shfps-225 at 0.2 m/s [m], [J]
   const int dishes = scene.bearing.dishes();             // each rim takes its share
   const double energy = 0.5 * scene.load.mass * speed * speed / dishes, thickness = scene.bearing.rim.thickness / 0.040;
-  const double yield =
-      scene.bearing.steel_of(scene::SteelPart::rim).yield.value_or(1e9) / 360e6; // elastic: beyond any steel
+  const double yield = scene.bearing.rim_steel().yield.value_or(1e9) / 360e6; // elastic: beyond any steel
   const double hardness = std::pow(yield, 0.6) * std::pow(thickness, thickness < 1 ? 0.8 : 0.3);
   return dishes * measured * std::pow(energy / at_energy, 0.68) / hardness;
 }
