@@ -47,7 +47,8 @@ Dynamics::Dynamics(const scene::Scene &scene, bool with_rim, double capacity)
   if (with_rim && r.k_i > 0)
     rim = r.impact_law->pushed ? laws::curve_element(rim_curve_of(scene)) : r.element(supported_mass);
   dents = dent_shape(scene);
-  if (reading == NormalForce::pad) pad_stiffness = scene::pad_stiffness(scene.bearing);
+  if (reading == NormalForce::pad)
+    pad_stiffness = scene::pad_stiffness(scene.bearing), pad_retardation = scene::pad_retardation(scene);
   dead_load_ = height.is_plane() ? 0.0 : weight;
   vertical_restitution_ = r.vertical_restitution;
   limit_squared_ = height.limit_radius() * height.limit_radius();
@@ -114,6 +115,19 @@ FloorMotion Dynamics::above(const scene::SurfacePoint &p, const State &y) const 
 /// Of the pad's spring, from where it bears nothing [m]; < 0: the mass is lifted off it.
 double Dynamics::pad_compression(const scene::SurfacePoint &p, const State &y) const {
   return dead_load_ / pad_stiffness + p.z - y[iZ];
+}
+
+/// Of spring and dashpot [N]; the pad does not pull.
+double Dynamics::pad_force(const scene::SurfacePoint &p, const State &y) const {
+  const double pressed = pad_compression(p, y), rate = p.gradient.dot(Vector2d(y[iVX], y[iVY])) - y[iVZ];
+  return pressed > 0 ? std::max(0.0, pad_stiffness * (pressed + pad_retardation * rate)) : 0.0;
+}
+
+/// What the pad loses [W], >= 0: all that its spring gives back while the mass leaves it behind.
+double Dynamics::pad_loss(const scene::SurfacePoint &p, const State &y) const {
+  if (!(pad_retardation > 0)) return 0;
+  const double rate = p.gradient.dot(Vector2d(y[iVX], y[iVY])) - y[iVZ];
+  return (pad_force(p, y) - pad_stiffness * std::max(0.0, pad_compression(p, y))) * rate;
 }
 
 Site Dynamics::on_dish(double t, const State &y) const {
@@ -193,7 +207,7 @@ Evaluation Dynamics::evaluate(const Mode &mode, double t, const State &y, const 
   if (reading == NormalForce::inertia) e.normal = (mass * curvature + g.dot(F.head<2>()) - F[2]) / S;
   if (reading == NormalForce::constant) e.normal = weight;
   if (reading == NormalForce::statics) e.normal = -F[2]; // what N and friction have to carry together
-  if (reading == NormalForce::pad) e.normal = pad_stiffness * std::max(0.0, pad_compression(p, y));
+  if (reading == NormalForce::pad) e.normal = pad_force(p, y);
   Vector2d direction(y[iEX], y[iEY]);
   if (park_wen_) {
     e.eta_rate = friction::park_wen_rate(direction, v, elastic_slip);
@@ -228,7 +242,8 @@ Evaluation Dynamics::rhs(const Mode &mode, double t, const State &y, State &dy, 
   if (rises(mode)) dy[iZ] = y[iVZ], dy[iVZ] = e.acceleration[2];
   if (mode.support == Support::airborne) return e;
   dy[iEX] = e.eta_rate[0], dy[iEY] = e.eta_rate[1];
-  dy[iPendular] = -e.pendular[0] * y[iVX] - e.pendular[1] * y[iVY];
+  dy[iSupport] =
+      reading == NormalForce::pad ? pad_loss(here.dish, y) : -e.pendular[0] * y[iVX] - e.pendular[1] * y[iVY];
   dy[iFriction] = -e.friction[0] * y[iVX] - e.friction[1] * y[iVY];
   if (reading != NormalForce::constant && e.pendular[2] > 0) // v_z = grad h . v, and grad h = -pendular_xy / pendular_z
     dy[iFriction] += e.friction[2] * (e.pendular[0] * y[iVX] + e.pendular[1] * y[iVY]) / e.pendular[2];
@@ -241,7 +256,7 @@ double Dynamics::kinetic_energy(const State &y) const {
 }
 
 double Dynamics::potential_energy(const State &y) const {
-  if (reading == NormalForce::constant) return y[iPendular];
+  if (reading == NormalForce::constant) return y[iSupport];
   double energy = dead_load_ * y[iZ];
   if (reading == NormalForce::pad) { // beyond what the dead load keeps in it
     const double now = std::max(0.0, pad_compression(height.at(y[iX], y[iY]), y)), still = dead_load_ / pad_stiffness;

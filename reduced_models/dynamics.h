@@ -10,8 +10,9 @@
 ///   `inertia`   this N; the mass lifts off when it reaches zero.
 ///   `static`    N from vertical equilibrium N n_z + f_z = W + m a_gz; planar inertia only, no uplift.
 ///   `constant`  N = W; planar inertia only, no uplift.
-///   `pad`       the mass stands on the pad's spring, m z'' = S - W - m a_gz, S = k max(0, W / k + h(x, y) - z), and
-///               the slider below it, without mass, stays on the dish: N n_z + f_z = S. It bounces on the pad.
+///   `pad`       the mass stands on the pad's spring, m z'' = S - W - m a_gz, S = max(0, k (d + theta d')), d = W / k +
+///               h(x, y) - z > 0, and the slider below it, without mass, stays on the dish: N n_z + f_z = S. It bounces
+///               on the pad, which loses what theta asks for (scene::pad_retardation).
 /// Under a building m is the base's mass and W the whole dead load. The first storey's force (a change from the dead
 /// load) acts on the base beside the others.
 #pragma once
@@ -201,7 +202,7 @@ public:
   friction::SlidingHeat heat;
   double contact_radius; ///< of the sliding face [m]
   NormalForce reading = NormalForce::inertia;
-  double pad_stiffness = 0; ///< read by `pad` [N/m]
+  double pad_stiffness = 0, pad_retardation = 0; ///< read by `pad` [N/m], [s]
   /// The mass has a height of its own: beside `pad`'s spring, or in the air.
   bool rises(const Mode &mode) const { return mode.support == Support::airborne || reading == NormalForce::pad; }
   scene::GroundMotion ground;
@@ -222,6 +223,8 @@ private:
   Site on_dish(double t, const State &y, Footing &footing) const;
   FloorMotion above(const scene::SurfacePoint &p, const State &y) const;
   double pad_compression(const scene::SurfacePoint &p, const State &y) const;
+  double pad_force(const scene::SurfacePoint &p, const State &y) const;
+  double pad_loss(const scene::SurfacePoint &p, const State &y) const;
   Eigen::Vector3d friction_of(const Site &site, const State &y, const Eigen::Vector2d &direction, Evaluation &e) const;
   Eigen::Vector2d slow_direction(const Mode &mode, double t, const State &y, const Site &site) const;
   double drive_share(const Mode &mode, double t, const State &y) const;

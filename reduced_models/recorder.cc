@@ -40,7 +40,8 @@ const char *const columns[] = {"time",
                                "energy_contact"};
 
 const char *const temperature = "temperature"; ///< of a run whose friction goes by it
-const char *const building_energies[] = {"energy_elastic", "energy_plastic", "energy_damping"};
+const char *const damping = "energy_damping";  ///< of a pad that loses energy
+const char *const building_energies[] = {"energy_elastic", "energy_plastic", damping};
 
 } // namespace
 
@@ -53,6 +54,7 @@ Recorder::Recorder(const Dynamics &dynamics, Response *response, double output_s
   if (response_) {
     for (const char *name : columns) columns_.push_back(&response_->series(name));
     if (dynamics_.heats()) columns_.push_back(&response_->series(temperature));
+    if (dynamics_.pad_retardation > 0) columns_.push_back(&response_->series(damping));
     if (dynamics_.building.any()) {
       for (const char *name : building_energies) columns_.push_back(&response_->series(name));
       for (const auto &name : BuildingRecorder::signals()) columns_.push_back(&response_->series(name));
@@ -170,6 +172,7 @@ void Recorder::store(const Mode &mode, double t, const State &y, double apart) {
                         l.impact,    l.contact};
   for (std::size_t i = 0; i < std::size(row); ++i) columns_[i]->push_back(row[i]);
   if (dynamics_.heats()) response_->append(temperature, dynamics_.temperature(y));
+  if (dynamics_.pad_retardation > 0) response_->append(damping, l.damping);
   if (!dynamics_.building.any()) return;
   const double energies[] = {l.elastic, l.plastic, l.damping};
   for (int i = 0; i < 3; ++i) response_->append(building_energies[i], energies[i]);
@@ -190,6 +193,7 @@ EnergyLedger Recorder::ledger(const Mode &mode, const State &y) const {
   l.friction += y[iFriction];
   l.impact += y[iImpact];
   l.contact += landing_loss_;
+  if (dynamics_.pad_retardation > 0) l.damping += y[iSupport];
   if (dynamics_.building.any()) {
     l.elastic += dynamics_.building.elastic_energy(y, dynamics_.base(mode, y).position);
     l.plastic += dynamics_.building.plastic_energy(y);

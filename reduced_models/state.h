@@ -8,9 +8,10 @@
 namespace rimpact::reduced {
 
 /// u, v, eta, then energies gathered along the way: work of the ground (external), lost in friction, taken by
-/// the rim, and work against the pendular force (only read for `constant`, where it is not W h). A building
+/// the rim, and by what supports the mass: lost in the pad (`pad`), work against the pendular force (only read for
+/// `constant`, where it is not W h). A building
 /// adds what its dashpots have lost, the work of its hysteretic springs, and `n_floor` numbers a floor.
-enum Index { iX, iY, iZ, iVX, iVY, iVZ, iEX, iEY, iExternal, iFriction, iImpact, iPendular, n_bearing };
+enum Index { iX, iY, iZ, iVX, iVY, iVZ, iEX, iEY, iExternal, iFriction, iImpact, iSupport, n_bearing };
 enum BuildingIndex { iDamping = n_bearing, iHysteretic, iFloors };
 /// Of a floor: displacement relative to the ground (z from the statically compressed building), velocity,
 /// Bouc-Wen state of the storey below.

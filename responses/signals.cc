@@ -79,7 +79,7 @@ void add_energies(List &list) {
            {"kinetic", "kinetic energy"},
            {"elastic", "stored elastic energy"},
            {"plastic", "dissipated by plastic flow or a hysteretic storey"},
-           {"damping", "dissipated by the superstructure's dashpots"},
+           {"damping", "dissipated by the superstructure's dashpots and by the pad"},
            {"friction", "dissipated by friction"},
            {"impact", "dissipated by the reduced impact law"},
            {"contact", "stored in or lost by contact penalties"},

@@ -21,7 +21,7 @@ struct Impact {
 
 /// Energy ledger of a run [J]. external: work of the ground motion and drives; gravity: potential energy gained
 /// (positive when lifted; of a building as if no axial spring were strained); damping: lost in a building's
-/// dashpots; impact: dissipated by the reduced impact law; contact: stored in or lost by contact
+/// dashpots and in the pad; impact: dissipated by the reduced impact law; contact: stored in or lost by contact
 /// penalties; integrator: the time integrator's loss from its own formula.
 struct EnergyLedger {
   double external = 0, gravity = 0, kinetic = 0, elastic = 0, plastic = 0, damping = 0, friction = 0, impact = 0,

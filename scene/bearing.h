@@ -42,6 +42,7 @@ struct Pad {                                           // assumption, but for it
   double inner_radius = 0.020, outer_radius = 0.07019; ///< [m]
   double thickness = 0.040, recess = 0.020;            ///< [m]
   double shape_radius = 1.400;                         ///< of its face [m]
+  double loss_factor = 0; ///< of its material, at the frequency at which the load swings on it [-], 0 <= eta <= 0.5
   bool operator==(const Pad &) const = default;
 };
 struct Foot {                                              // assumption

@@ -134,6 +134,9 @@ void visit_foot_and_pad(KeyVisitor &v, Bearing &b) {
     v.number({"thickness_mm", "of the pad", assumption}, b.pad.thickness, milli, length_mm);
     v.number({"recess_mm", "depth of its seat in the foot", assumption}, b.pad.recess, milli, size_mm);
     v.number({"shape_radius_mm", "radius of the pad's sliding face", assumption}, b.pad.shape_radius, milli, length_mm);
+    if (v.wants(b.pad.loss_factor > 0))
+      v.number({"loss_factor", "eta of the pad's material, at the frequency at which the load swings on it"},
+               b.pad.loss_factor, si, {0, 0.5});
   });
   v.section("foot", [&] {
     v.number({"radius_mm", "of the foot below its cap", assumption}, b.foot.radius, milli, length_mm);

@@ -75,6 +75,22 @@ void remark_on_isolator(const TomlFile &file, Scene &scene) {
                   file.find("bearing") ? fmt::format("; nothing of bearing {} is read", scene.bearing.name) : ""));
 }
 
+/// What solids slide by, and what a pad loses, stands in two places: what a run does not read of them is said.
+void remark_on_pad(Scene &scene) {
+  const double slides_by = scene.bearing.contact.steel_ertalyte, eta = scene.bearing.pad.loss_factor;
+  const bool solid = has_dish(scene.model.rung);
+  if (solid && std::abs(scene.reduced.mu_fast - slides_by) > 1e-12)
+    scene.remarks.push_back(
+        fmt::format("reduced.mu_fast {:g} is not read by rung `{}`, but by the reduced model and the "
+                    "scout: its pad slides by bearing.contact.steel_ertalyte {:g}",
+                    scene.reduced.mu_fast, word(scene.model.rung), slides_by));
+  if (!solid && eta > 0 && scene.reduced.normal_force != NormalForce::pad)
+    scene.remarks.push_back(fmt::format("bearing.pad.loss_factor {:g} is not read: the reduced model has a pad with "
+                                        "reduced.normal_force \"{}\", finite elements with rungs `rigid-dish` and "
+                                        "`full`",
+                                        eta, word(NormalForce::pad)));
+}
+
 } // namespace
 
 void set_dependent_defaults(const TomlFile &file, const std::string &prefix, Bearing &bearing) {
@@ -111,6 +127,7 @@ void set_dependent_defaults(const TomlFile &file, bool own_bearing, Scene &scene
     measured.reference_pressure = contact.reference_pressure;
   resolve_load(file, own_bearing, scene);
   remark_on_necking(scene);
+  remark_on_pad(scene);
   remark_on_isolator(file, scene);
   if (!given("excitation.kind"))
     scene.remarks.push_back(

@@ -25,6 +25,11 @@ double pad_stiffness(const Bearing &bearing) {
   return bearing.ertalyte.E * bearing.pad_area() / bearing.pad.thickness;
 }
 
+double pad_retardation(const Scene &scene) {
+  if (scene.bearing.double_concave()) return 0;
+  return scene.bearing.pad.loss_factor * std::sqrt(scene.load.mass / pad_stiffness(scene.bearing));
+}
+
 TakenTerms adopt_stack_terms(TomlFile &file, const StackTerms &terms, bool calibration_is_typed,
                              std::vector<std::string> &remarks) {
   const auto *model = file.find("reduced.model");

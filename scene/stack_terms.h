@@ -27,6 +27,11 @@ constexpr auto choices(SlipFrom) {
 /// dish. Of a slider between two dishes, which has no pad: of its steel from face to face.
 double pad_stiffness(const Bearing &bearing);
 
+/// Retardation of the pad [s], 0 where it loses nothing: its dashpot is theta times its spring, so that a mass which
+/// swings on it at omega = sqrt(k / m), 18 Hz by default, meets its loss factor eta = theta omega, a damping ratio of
+/// eta / 2. As any dashpot's, the loss grows with the frequency.
+double pad_retardation(const Scene &scene);
+
 /// As a calibration writes them.
 struct StackTerms {
   std::map<std::string, std::string> values; ///< by key of [reduced], in TOML

@@ -9,7 +9,7 @@ namespace rimpact::fe {
 
 double StepEnergies::unbalanced(const EnergyLedger &before) const {
   return external - gravity - (kinetic - before.kinetic) - (elastic - before.elastic) - (plastic - before.plastic) -
-         friction - contact - integrator;
+         (damping - before.damping) - friction - contact - integrator;
 }
 
 StepEnergies energies_of(const ContactSystem &system, const SystemState &state, const ContactStepReport &step,
@@ -23,6 +23,7 @@ StepEnergies energies_of(const ContactSystem &system, const SystemState &state, 
   result.kinetic = share * system.kinetic_energy(state);
   result.elastic = share * state.energies.elastic;
   result.plastic = share * state.energies.plastic;
+  result.damping = share * state.energies.damping;
   return result;
 }
 
@@ -31,6 +32,7 @@ EnergyLedger ledger_at(const ContactSystem &system, const SystemState &state) {
   ledger.kinetic = system.kinetic_energy(state);
   ledger.elastic = state.energies.elastic;
   ledger.plastic = state.energies.plastic;
+  ledger.damping = state.energies.damping;
   ledger.initial = ledger.largest_input = ledger.kinetic + ledger.elastic + ledger.plastic;
   return ledger;
 }
@@ -44,6 +46,7 @@ void book(EnergyLedger &ledger, const StepEnergies &step) {
   ledger.kinetic = step.kinetic;
   ledger.elastic = step.elastic;
   ledger.plastic = step.plastic;
+  ledger.damping = step.damping;
   ledger.largest_input = std::max(ledger.largest_input, ledger.initial + std::abs(ledger.external));
 }
 

@@ -13,7 +13,7 @@ struct ContactStepReport;
 /// Of the whole bearing [J]; signs as in EnergyLedger.
 struct StepEnergies {
   double external = 0, gravity = 0, friction = 0, contact = 0, integrator = 0; ///< what the step adds to these entries
-  double kinetic = 0, elastic = 0, plastic = 0;                                ///< what these are at its end
+  double kinetic = 0, elastic = 0, plastic = 0, damping = 0;                   ///< what these are at its end
   /// Energy that came from nowhere, or got lost.
   double unbalanced(const EnergyLedger &before) const;
 };

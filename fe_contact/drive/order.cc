@@ -1,5 +1,7 @@
 #include "fe_contact/drive/order.h"
 
+#include "scene/stack_terms.h"
+
 namespace rimpact::fe {
 
 meshes::MeshOrder mesh_order(const scene::Scene &scene, const planning::Plan &plan) {
@@ -17,6 +19,7 @@ ModelOptions model_options(const scene::Scene &scene) {
   ModelOptions options;
   options.friction = scene.excitation.kind != scene::ExcitationKind::window || scene.excitation.with_friction;
   options.penalty_scale = scene.model.penalty_scale;
+  options.pad_retardation = scene::pad_retardation(scene);
   return options;
 }
 

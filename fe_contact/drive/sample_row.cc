@@ -54,6 +54,7 @@ void append(RunRecord &record, const SampleRow &row) {
                                                     {"energy_kinetic", e.kinetic},
                                                     {"energy_elastic", e.elastic},
                                                     {"energy_plastic", e.plastic},
+                                                    {"energy_damping", e.damping},
                                                     {"energy_friction", e.friction},
                                                     {"energy_impact", e.impact},
                                                     {"energy_contact", e.contact},

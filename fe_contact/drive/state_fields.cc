@@ -31,6 +31,7 @@ void visit(StateVisitor &v, SolidHistory &history) {
 void visit(StateVisitor &v, SolidEnergies &energies) {
   v.number("elastic", energies.elastic);
   v.number("plastic", energies.plastic);
+  v.number("damping", energies.damping);
 }
 
 void visit(StateVisitor &v, SurfaceContactState &s) {
@@ -103,6 +104,7 @@ void visit(StateVisitor &v, EnergyLedger &ledger) {
                                     {"kinetic", &EnergyLedger::kinetic},
                                     {"elastic", &EnergyLedger::elastic},
                                     {"plastic", &EnergyLedger::plastic},
+                                    {"damping", &EnergyLedger::damping},
                                     {"friction", &EnergyLedger::friction},
                                     {"impact", &EnergyLedger::impact},
                                     {"contact", &EnergyLedger::contact},

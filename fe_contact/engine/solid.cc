@@ -15,12 +15,18 @@ void make_symmetric(Matrix6 &tangent) {
 
 } // namespace
 
-Solid::Solid(const Discretisation &space, const scene::Bearing &bearing)
+Vector6 SolidLaw::stress_at_rest(const J2State &state, const Matrix3 &F) const {
+  return isochoric.at_rest().step(loss.none() ? state : J2State{}, F, 0, false).response.stress;
+}
+
+Solid::Solid(const Discretisation &space, const scene::Bearing &bearing, double pad_retardation)
     : Solid(space, {{meshes::Volume::plate, bearing.steel_of(scene::SteelPart::dish)},
                     {meshes::Volume::rim, bearing.rim_steel()},
                     {meshes::Volume::foot, bearing.steel_of(scene::SteelPart::slider)},
                     {meshes::Volume::upper_slider, bearing.steel_of(scene::SteelPart::slider)},
-                    {meshes::Volume::pad, bearing.ertalyte}}) {}
+                    {meshes::Volume::pad, bearing.ertalyte}}) {
+  laws_.at(meshes::Volume::pad).loss = {pad_retardation};
+}
 
 Solid::Solid(const Discretisation &space, const std::map<meshes::Volume, scene::Material> &materials)
     : space_(space), kept_(space.n_cells) {
@@ -101,10 +107,11 @@ Solid::Answer Solid::answer(std::size_t c, const std::array<Matrix3, n> &F, cons
   for (int q = 0; q < n; ++q) {
     const std::size_t point = c * n + q;
     const double weight = space_.full.weights[point];
-    IsochoricResult isochoric = law.isochoric.step(old[point], F[q], dt, with_tangent);
+    IsochoricResult isochoric = law.step(old[point], F[q], dt, with_tangent);
     if (!isochoric.admissible) return result;
     next[point] = isochoric.state;
-    result.flows = result.flows || isochoric.state.alpha > old[point].alpha;
+    // The tangent of a dashpot changes with the step's length: it is made anew as that of steel that flows.
+    result.flows = result.flows || isochoric.state.alpha > old[point].alpha || !law.loss.none();
     mises[q] = isochoric.mises;
     result.energies.elastic += weight * isochoric.energy;
     result.energies.plastic += weight * law.isochoric.hardening.work(isochoric.state.alpha);
@@ -122,7 +129,10 @@ Solid::Answer Solid::answer(std::size_t c, const std::array<Matrix3, n> &F, cons
     kernel.add(G, at_point, weight, volumetric.response, with_tangent);
   }
   kernel.finish();
-  if (!law.isochoric.follows_its_curve()) result.energies.plastic += work_beside_the_curve(c, next);
+  if (!law.loss.none())
+    result.energies.damping += work_beside_the_curve(c, next);
+  else if (!law.isochoric.follows_its_curve())
+    result.energies.plastic += work_beside_the_curve(c, next);
   if (result.flows) remember(c, old, next, mises.data(), mean.data());
   result.admissible = true;
   return result;
@@ -152,6 +162,7 @@ bool Solid::assemble_cells(const unsigned *begin, const unsigned *end, const Eig
     if (!cell_answer.admissible) return false;
     sum.elastic += cell_answer.energies.elastic;
     sum.plastic += cell_answer.energies.plastic;
+    sum.damping += cell_answer.energies.damping;
     double weights[m];
     int eqs[m];
     for (int k = 0; k < m; ++k) {
@@ -199,10 +210,10 @@ bool Solid::assemble(const Eigen::VectorXd &u, const SolidHistory &old, SolidHis
                                  places, values, part_energies[w]);
   });
   if (ranks().any(std::find(admissible.begin(), admissible.end(), 0) != admissible.end())) return false;
-  Eigen::VectorXd summed = Eigen::VectorXd::Zero(equations.n + 2); // forces, energies
+  Eigen::VectorXd summed = Eigen::VectorXd::Zero(equations.n + 3); // forces, energies
   for (int w = 0; w < workers; ++w) {
     summed.head(equations.n) += part_forces[w];
-    summed.tail<2>() += Eigen::Vector2d(part_energies[w].elastic, part_energies[w].plastic);
+    summed.tail<3>() += Eigen::Vector3d(part_energies[w].elastic, part_energies[w].plastic, part_energies[w].damping);
   }
   if (tangent)
     share(tangent->n_entries(), workers, [&](std::size_t begin, std::size_t end, int) {
@@ -213,6 +224,7 @@ bool Solid::assemble(const Eigen::VectorXd &u, const SolidHistory &old, SolidHis
   forces += summed.head(equations.n);
   energies.elastic += summed[equations.n];
   energies.plastic += summed[equations.n + 1];
+  energies.damping += summed[equations.n + 2];
   all_gather(next, cells, offsets);
   return true;
 }

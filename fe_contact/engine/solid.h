@@ -6,7 +6,7 @@
 #include "fe_contact/engine/discretisation.h"
 #include "fe_contact/engine/kept_tangents.h"
 #include "fe_contact/laws/crack_measure.h"
-#include "fe_contact/laws/hencky_j2.h"
+#include "fe_contact/laws/pad_loss.h"
 #include "fe_contact/solver/equations.h"
 #include "fe_contact/solver/symmetric_matrix.h"
 #include "scene/bearing.h"
@@ -21,6 +21,7 @@ using SolidHistory = std::vector<J2State>;
 struct SolidEnergies {
   double elastic = 0.0; ///< [J]
   double plastic = 0.0; ///< plastic work, hardening and viscous part included [J]; a function of the history alone
+  double damping = 0.0; ///< lost in the pad as it strains [J]; likewise
 };
 
 /// Of one volume.
@@ -28,13 +29,23 @@ struct SolidLaw {
   HenckyJ2 isochoric;
   HenckyVolumetric volumetric;
   CrackMeasure crack;
-  double density; ///< [kg/m^3]
+  double density;    ///< [kg/m^3]
+  PadLoss loss = {}; ///< of a material that never yields
+
+  IsochoricResult step(const J2State &old, const Matrix3 &F, double dt, bool with_tangent) const {
+    return loss.none() ? isochoric.step(old, F, dt, with_tangent)
+                       : loss.step(isochoric, volumetric, old, F, dt, with_tangent);
+  }
+  /// Isochoric Kirchhoff stress of a committed state: nothing flows, overstress stays, the pad's dashpot bears nothing
+  /// [Pa].
+  Vector6 stress_at_rest(const J2State &state, const Matrix3 &F) const;
 };
 
 class Solid {
 public:
   /// All volumes of a bearing's mesh are steel, each that of its part, but the pad (Ertalyte).
-  Solid(const Discretisation &space, const scene::Bearing &bearing);
+  /// `pad_retardation`: theta of PadLoss [s].
+  Solid(const Discretisation &space, const scene::Bearing &bearing, double pad_retardation = 0);
   Solid(const Discretisation &space, const std::map<meshes::Volume, scene::Material> &materials);
 
   SolidHistory initial_history() const { return SolidHistory(space_.n_cells * space_.full.n_points); }

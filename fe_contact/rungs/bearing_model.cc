@@ -26,7 +26,7 @@ Supports supports_of(const BearingModel &model, RimState rim) {
 BearingModel::BearingModel(const Rung &rung, const scene::Bearing &bearing, const meshes::MeshOrder &mesh,
                            const ModelOptions &options)
     : rung(rung), bearing(bearing), mesh(mesh), options(options), space(rung.mesh(bearing, mesh), options.degree),
-      solid(space, bearing), foot(space, solid, bearing, mesh.half),
+      solid(space, bearing, options.pad_retardation), foot(space, solid, bearing, mesh.half),
       rate_ratio(RimFrame::of(bearing, 0, 0, false).rate_ratio()) {}
 
 double BearingModel::own_mass() const {

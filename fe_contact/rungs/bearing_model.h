@@ -10,9 +10,10 @@
 namespace rimpact::fe {
 
 struct ModelOptions {
-  bool friction = true;     ///< false: dish and socket are smooth
-  double penalty_scale = 1; ///< of the contacts' penalties, times the default
-  int degree = 2;           ///< of the cells' shapes
+  bool friction = true;       ///< false: dish and socket are smooth
+  double penalty_scale = 1;   ///< of the contacts' penalties, times the default
+  int degree = 2;             ///< of the cells' shapes
+  double pad_retardation = 0; ///< theta of the pad's loss (laws/pad_loss.h) [s]
 };
 
 struct BearingModel {

@@ -23,9 +23,9 @@ inline Matrix3 random_gradient(std::mt19937 &generator, double size) {
   return F;
 }
 
-/// First Piola-Kirchhoff stress of both parts.
-inline Matrix3 piola(const HenckyJ2 &law, const HenckyVolumetric &volumetric, const J2State &old, const Matrix3 &F,
-                     double dt) {
+/// First Piola-Kirchhoff stress of both parts; a law has HenckyJ2's step.
+template <class Law>
+Matrix3 piola(const Law &law, const HenckyVolumetric &volumetric, const J2State &old, const Matrix3 &F, double dt) {
   const Vector6 tau = law.step(old, F, dt).response.stress + volumetric.at(F.determinant()).response.stress;
   return to_matrix(tau) * F.inverse().transpose();
 }
@@ -38,7 +38,8 @@ inline Matrix3 predicted_change(const StressAndTangent &s, const Matrix3 &F, con
   return (L * to_matrix(s.stress) + to_matrix(s.tangent * rate)) * F.inverse().transpose();
 }
 
-inline void expect_consistent_tangent(const HenckyJ2 &law, const J2State &old, const Matrix3 &F, double dt = 0) {
+template <class Law>
+void expect_consistent_tangent(const Law &law, const J2State &old, const Matrix3 &F, double dt = 0) {
   const auto volumetric = volumetric_part();
   StressAndTangent total = law.step(old, F, dt).response;
   const auto vol = volumetric.at(F.determinant()).response;

@@ -63,11 +63,66 @@ TEST(PadSpring, TheLedgerBalancesOverAnImpact) {
 }
 
 TEST(PadSpring, CvodeAgrees) {
-  const auto s = sprung("ricker-0.78g-1.0s", {"excitation.scale=1.05"});
-  const auto own = simulate(s).summary, other = simulate_with_cvode(s).summary;
-  ASSERT_EQ(own.impacts.size(), other.impacts.size());
-  EXPECT_NEAR(own.impacts[0].touch_time, other.impacts[0].touch_time, 1e-6);
-  EXPECT_NEAR(own.impacts[0].peak_force / other.impacts[0].peak_force, 1, 1e-4);
+  for (const char *loss : {"0", "0.05"}) {
+    const auto s =
+        sprung("ricker-0.78g-1.0s", {"excitation.scale=1.05", std::string("bearing.pad.loss_factor=") + loss});
+    const auto own = simulate(s).summary, other = simulate_with_cvode(s).summary;
+    ASSERT_EQ(own.impacts.size(), other.impacts.size());
+    EXPECT_NEAR(own.impacts[0].touch_time, other.impacts[0].touch_time, 1e-6);
+    EXPECT_NEAR(own.impacts[0].peak_force / other.impacts[0].peak_force, 1, 1e-4);
+  }
+}
+
+TEST(DampedPad, ASwingDiesByHalfTheLossFactorAndTheLedgerHasIt) {
+  constexpr double loss = 0.1, ratio = loss / 2;
+  scene::Scene s = sprung("ricker-0.78g-1.0s", {"excitation.scale=1e-12", "reduced.output_step_ms=0.1"});
+  s.bearing.pad.loss_factor = loss;
+  BearingState start;
+  start.u = {0, 0, 2e-4};
+  const double omega = std::sqrt(scene::pad_stiffness(s.bearing) / s.load.mass),
+               damped = omega * std::sqrt(1 - ratio * ratio), force = omega * omega * s.load.mass;
+  const auto run = simulate_from(s, start, 0.3);
+  const auto &t = run.response.series("time"), &z = run.response.series("displacement_z"),
+             &lost = run.response.series("energy_damping");
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    const double left = 2e-4 * std::exp(-ratio * omega * t[i]);
+    EXPECT_NEAR(z[i], left * (std::cos(damped * t[i]) + ratio * omega / damped * std::sin(damped * t[i])), 1e-9);
+  }
+  EXPECT_NEAR(lost.back() / (0.5 * force * 2e-4 * 2e-4), 1 - std::exp(-2 * ratio * omega * 0.3), 0.02);
+  EXPECT_LT(std::abs(run.summary.energy.value().imbalance_relative()), 1e-6);
+}
+
+TEST(DampedPad, AMassThrownOffComesToRest) {
+  scene::Scene s = sprung("ricker-0.78g-1.0s", {"excitation.scale=1e-12"});
+  BearingState start;
+  start.v = {0, 0, 0.2};
+  const double put_in = 0.5 * s.load.mass * 0.04;
+  for (const double loss : {0.0, 0.1}) {
+    s.bearing.pad.loss_factor = loss;
+    const auto run = simulate_from(s, start, 3);
+    const auto &moving = run.response.series("energy_kinetic"), &t = run.response.series("time");
+    double late = 0; // in the last half second
+    for (std::size_t i = 0; i < t.size(); ++i)
+      if (t[i] > 2.5) late = std::max(late, moving[i]);
+    if (loss > 0) {
+      EXPECT_LT(late, 1e-3 * put_in);
+      EXPECT_NEAR(run.response.series("energy_damping").back() / put_in, 1, 2e-3);
+    } else {
+      EXPECT_GT(late, 0.9 * put_in); // without any it bounces on
+    }
+    EXPECT_LT(std::abs(run.summary.energy.value().imbalance_relative()), 1e-5);
+  }
+}
+
+TEST(DampedPad, ItsLedgerBalancesOverAnImpactAndItTakesLittleOfTheRimsForce) {
+  const std::string struck = "excitation.scale=1.05";
+  const auto without = simulate(sprung("ricker-0.78g-1.0s", {struck})).summary;
+  const auto with = simulate(sprung("ricker-0.78g-1.0s", {struck, "bearing.pad.loss_factor=0.05"})).summary;
+  ASSERT_FALSE(with.impacts.empty());
+  EXPECT_GT(with.energy->damping, 0);
+  EXPECT_EQ(without.energy->damping, 0);
+  EXPECT_LT(std::abs(with.energy->imbalance_relative()), 1e-6);
+  EXPECT_NEAR(with.impacts[0].peak_force / without.impacts[0].peak_force, 1, 0.02);
 }
 
 TEST(PadSpring, NeedsFrictionWithAnElasticSlip) {

@@ -74,4 +74,22 @@ TEST(UnreadKeys, WhatIsReadOrLeftAtItsDefaultIsNoSlip) {
   }
 }
 
+TEST(UnreadOfThePad, FrictionOfTheReducedModelBesideASolidPadAndALossThatNothingReads) {
+  const auto said = [](std::vector<std::string> more) {
+    std::string all;
+    for (const auto &remark : load_scene("ricker-0.78g-1.0s", more).remarks) all += remark + "\n";
+    return all;
+  };
+  EXPECT_NE(said({"model.rung=full", "reduced.mu_fast=0.08"}).find("reduced.mu_fast 0.08 is not read by rung `full`"),
+            std::string::npos);
+  EXPECT_EQ(said({"model.rung=full"}).find("mu_fast"), std::string::npos);
+  EXPECT_EQ(said({"model.rung=full", "bearing.contact.steel_ertalyte=0.08"}).find("mu_fast"), std::string::npos);
+  EXPECT_EQ(said({"reduced.mu_fast=0.08"}).find("mu_fast"), std::string::npos); // rung rim slides by it
+  const std::string loss = "bearing.pad.loss_factor=0.02";
+  EXPECT_NE(said({loss}).find("bearing.pad.loss_factor 0.02 is not read"), std::string::npos);
+  EXPECT_EQ(said({loss, "model.rung=rigid-dish"}).find("loss_factor"), std::string::npos);
+  EXPECT_EQ(said({loss, "reduced.normal_force=pad", "reduced.friction=park-wen"}).find("loss_factor"),
+            std::string::npos);
+}
+
 } // namespace
