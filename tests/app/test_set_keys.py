@@ -1,5 +1,6 @@
 """No key of --set is swallowed: every verb that takes it reads the key (what it resolves to changes) or names it in a sentence,
-as an error with the exit code of an unknown key or, where another choice of the scene would read it, as a warning."""
+as an error with the exit code of an unknown key or, where another choice of the scene would read it, as a warning.
+RIMPACT_EVERY_KEY=n asks each verb for every n-th key, another n-th of each verb; without it, for all of them."""
 import json
 import os
 import re
@@ -88,6 +89,7 @@ def text_of(path: str) -> str:
 
 
 RICKER = "ricker-0.78g-1.0s"
+STRIDE = int(os.environ.get("RIMPACT_EVERY_KEY", "1"))
 VERBS = [
     Verb("check", ["check", RICKER, "--json"], identity),
     Verb("run", ["run", RICKER, "--dry-run", "--json"], identity),
@@ -135,11 +137,11 @@ class SetKeys(unittest.TestCase):
     def test_every_verb_reads_a_key_or_names_it(self) -> None:
         every = keys()
         self.assertGreater(len(every), 150)
-        for verb in VERBS:
-            asked = every
+        for place, verb in enumerate(VERBS):
+            asked = every[place % STRIDE::STRIDE]
             if verb.name == "mesh BEARING":
-                asked = [key for key in every if not key["key"].startswith(NO_DIMENSION)]
-            if verb.words[0] in ("mesh", "run"):  # these start the finite-element program
+                asked = [key for key in asked if not key["key"].startswith(NO_DIMENSION)]
+            if verb.words[0] in ("mesh", "run") and STRIDE == 1:  # these start the finite-element program
                 asked = asked[::4]
             if "--mesh" in verb.words:  # the option stands over the key
                 asked = [key for key in asked if key["key"] != "model.mesh"]
