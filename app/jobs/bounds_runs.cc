@@ -108,6 +108,25 @@ std::string bounds_text(const std::vector<BoundRun> &runs, const std::vector<Bou
   return text;
 }
 
+nlohmann::json factors_json(const scene::FrictionBounds &b) {
+  nlohmann::json factors{{"standard", word(b.standard)},
+                         {"lambda_spec_max", b.spec_max},
+                         {"lambda_spec_min", b.spec_min},
+                         {"assumed", b.assumed()}};
+  if (b.standard == scene::BoundsStandard::asce)
+    factors.update(nlohmann::json{{"lambda_ae_max", b.ae_max},
+                                  {"lambda_ae_min", b.ae_min},
+                                  {"lambda_test_max", b.test_max},
+                                  {"lambda_test_min", b.test_min}});
+  else
+    factors.update(nlohmann::json{{"lambda_ageing", b.european.ageing.value_or(1)},
+                                  {"lambda_temperature", b.european.temperature.value_or(1)},
+                                  {"lambda_contamination", b.european.contamination.value_or(1)},
+                                  {"lambda_travel", b.european.travel.value_or(1)},
+                                  {"lambda_combination", b.european.combination}});
+  return factors;
+}
+
 nlohmann::json bounds_json(const scene::Scene &scene, const std::vector<BoundRun> &runs,
                            const std::vector<BoundsRow> &rows) {
   nlohmann::json table{{"scene", scene.name}, {"runs", nlohmann::json::array()}, {"rows", nlohmann::json::array()}};
@@ -123,10 +142,7 @@ nlohmann::json bounds_json(const scene::Scene &scene, const std::vector<BoundRun
       values[word(runs[i].bound)] = row.values[i] ? nlohmann::json(*row.values[i] * row.factor) : nlohmann::json();
     table["rows"].push_back({{"quantity", row.quantity}, {"unit", row.unit}, {"values", values}});
   }
-  const auto &b = scene.bounds;
-  table["factors"] = {{"lambda_ae_max", b.ae_max},     {"lambda_ae_min", b.ae_min},     {"lambda_test_max", b.test_max},
-                      {"lambda_test_min", b.test_min}, {"lambda_spec_max", b.spec_max}, {"lambda_spec_min", b.spec_min},
-                      {"assumed", b.assumed()}};
+  table["factors"] = factors_json(scene.bounds);
   return table;
 }
 
@@ -143,9 +159,11 @@ std::string bounds_csv(const std::vector<BoundRun> &runs, const std::vector<Boun
 }
 
 std::string origin_of_bounds(const scene::FrictionBounds &bounds) {
-  return bounds.assumed() ? "lambda factors of ASCE 7-22, 17.2.8.4, with its commentary's values for unlubricated "
-                            "interfaces of a manufacturer who is not known: an assumption; give your own in [bounds]"
-                          : "lambda factors of [bounds]";
+  if (bounds.assumed())
+    return "lambda factors of ASCE 7-22, 17.2.8.4, with its commentary's values for unlubricated interfaces of a "
+           "manufacturer who is not known: an assumption; give your own in [bounds]";
+  return bounds.standard == scene::BoundsStandard::en ? "lambda factors of EN 15129, annex J, as [bounds] gives them"
+                                                      : "lambda factors of [bounds]";
 }
 
 } // namespace

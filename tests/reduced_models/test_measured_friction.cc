@@ -161,6 +161,33 @@ TEST(MeasuredFriction, WhatContradictsIsRefused) {
   EXPECT_EQ(refusal(s), "");
 }
 
+TEST(Bounds, TheEuropeanProductTakesItsFourFactorsAndRefusesToGuessThem) {
+  const auto bounds = [](std::vector<std::string> more) {
+    more.insert(more.begin(), "bounds.standard=en-15129");
+    return scene::load_scene("ricker-0.78g-1.0s", more).bounds;
+  };
+  try {
+    bounds({"bounds.lambda_ageing=1.2", "bounds.lambda_travel=1"});
+    FAIL() << "factors that the standard prints and nobody gave";
+  } catch (const InputError &error) {
+    EXPECT_NE(std::string(error.what()).find("needs lambda_temperature, lambda_contamination:"), std::string::npos)
+        << error.what();
+  }
+  const std::vector<std::string> given{"bounds.lambda_ageing=1.2",        "bounds.lambda_temperature=1.5",
+                                       "bounds.lambda_contamination=1.1", "bounds.lambda_travel=1.0",
+                                       "bounds.lambda_spec_max=1.1",      "bounds.lambda_spec_min=0.9"};
+  const auto all = bounds(given);
+  EXPECT_NEAR(all.factor(scene::Bound::upper), 1.2 * 1.5 * 1.1 * 1.1, 1e-12);
+  EXPECT_EQ(all.factor(scene::Bound::lower), 0.9);
+  EXPECT_FALSE(all.assumed());
+  auto some = given;
+  some.push_back("bounds.lambda_combination=0.5");
+  EXPECT_NEAR(bounds(some).factor(scene::Bound::upper), 1.1 * 1.25 * 1.05 * 1.1, 1e-12);
+  scene::Scene s = ricker();
+  s.bounds = bounds(some);
+  EXPECT_TRUE(scene::parse_scene(to_toml(s), "again").bounds == s.bounds);
+}
+
 TEST(Bounds, FactorsAreThePublishedProducts) {
   scene::FrictionBounds b;
   EXPECT_NEAR(b.factor(scene::Bound::upper), 2.12, 0.01);
