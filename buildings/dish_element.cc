@@ -1,5 +1,5 @@
 #include "buildings/dish_element.h"
-#include "reduced_models/dynamics.h"
+#include "reduced_models/bearings/dynamics.h"
 #include <algorithm>
 
 namespace rimpact::buildings {

@@ -12,7 +12,7 @@
 #pragma once
 #include "buildings/basis.h"
 #include "buildings/support_equations.h"
-#include "reduced_models/dynamics.h"
+#include "reduced_models/bearings/dynamics.h"
 #include "scene/scene.h"
 
 namespace rimpact::buildings {

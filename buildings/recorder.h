@@ -3,7 +3,7 @@
 #include "buildings/dynamics.h"
 #include "buildings/hinge_envelope.h"
 #include "buildings/members.h"
-#include "reduced_models/step_budget.h"
+#include "reduced_models/motion/step_budget.h"
 #include "responses/summary.h"
 #include <functional>
 

@@ -1,7 +1,7 @@
 /// A scene's building on its bearings, from the ground motion to summary and response.
 #pragma once
 #include "buildings/recorder.h"
-#include "reduced_models/physical_model.h"
+#include "reduced_models/bearings/physical_model.h"
 #include "reduced_models/simulate.h"
 
 namespace rimpact::buildings {

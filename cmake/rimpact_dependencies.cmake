@@ -1,5 +1,5 @@
 # Third-party packages, all from Debian 12 or 13 (cmake/install.sh has their names). What differs between versions of
-# one is found out here and adapted by one header: reduced_models/sundials.h.
+# one is found out here and adapted by one header: reduced_models/motion/sundials.h.
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(fmt REQUIRED)
 find_package(CLI11 REQUIRED)
@@ -26,7 +26,7 @@ else()
   target_link_libraries(rimpact_hdf5 INTERFACE ${HDF5_HL_OPENMPI} ${HDF5_OPENMPI} MPI::MPI_C)
 endif()
 
-# SUNDIALS 6 and 7, serial vectors; reduced_models/sundials.h has both under one name.
+# SUNDIALS 6 and 7, serial vectors; reduced_models/motion/sundials.h has both under one name.
 add_library(rimpact_sundials INTERFACE)
 foreach(component cvode nvecserial sunmatrixdense sunlinsoldense)
   find_library(SUNDIALS_${component} sundials_${component} REQUIRED)

@@ -6,8 +6,8 @@
 #include "python/core_scene.h"
 
 #include "io/files/error.h"
-#include "reduced_models/physical_model.h"
-#include "reduced_models/run_doubts.h"
+#include "reduced_models/bearings/physical_model.h"
+#include "reduced_models/record/run_doubts.h"
 #include "reduced_models/simulate.h"
 #include "responses/run_folder.h"
 #include "responses/summary.h"

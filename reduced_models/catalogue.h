@@ -1,6 +1,6 @@
 /// The reduced models a scene may name (reduced.model). A new model is one file and one line in simulate.cc.
 #pragma once
-#include "reduced_models/physical_model.h"
+#include "reduced_models/bearings/physical_model.h"
 #include "reduced_models/simulate.h"
 
 namespace rimpact::reduced {

@@ -3,10 +3,10 @@
 
 #include "io/files/error.h"
 #include "reduced_models/catalogue.h"
-#include "reduced_models/cvode_run.h"
-#include "reduced_models/hybrid_run.h"
-#include "reduced_models/integrator_check.h"
-#include "reduced_models/quasi_static.h"
+#include "reduced_models/motion/cvode_run.h"
+#include "reduced_models/motion/hybrid_run.h"
+#include "reduced_models/motion/integrator_check.h"
+#include "reduced_models/motion/quasi_static.h"
 #include "reduced_models/rigid_body/bearing_run.h"
 #include <algorithm>
 #include <chrono>

@@ -1,6 +1,6 @@
 /// Whole scenes by the reduced models.
 #pragma once
-#include "reduced_models/physical_model.h"
+#include "reduced_models/bearings/physical_model.h"
 
 namespace rimpact::reduced {
 

@@ -41,7 +41,7 @@ constexpr auto choices(Friction) {
   return choices_of<Friction>({{coulomb, "coulomb"}, {park_wen, "park-wen"}});
 }
 
-/// What the normal force follows (reduced_models/dynamics.h).
+/// What the normal force follows (reduced_models/bearings/dynamics.h).
 enum class NormalForce { inertia, statics, constant, pad };
 constexpr auto choices(NormalForce) {
   using enum NormalForce;

@@ -21,7 +21,7 @@ struct Superstructure {
   // bouc-wen
   double yield = 0.02;      ///< u_y [m], > 0
   double post_yield = 0.05; ///< r_H > 0 or r_S < 0: k_y / k_s [-], -1..1 exclusive
-  double exponent = 2;      ///< n [-], 1..50 (see reduced_models/bouc_wen.h)
+  double exponent = 2;      ///< n [-], 1..50 (see reduced_models/structures/bouc_wen.h)
   double beta = 0.5;        ///< [-], 0.5..1
   // shear-building
   int storeys = 3;                 ///< 1..12

@@ -1,7 +1,7 @@
 /// Rim curves (`rimpact curve --held`) as processes, side by side.
 #pragma once
 #include "app/console/console.h"
-#include "reduced_models/rim_curve_file.h"
+#include "reduced_models/bearings/rim_curve_file.h"
 #include <optional>
 
 namespace rimpact::app {

@@ -1,7 +1,7 @@
 #include "app/jobs/pulse_scales.h"
 
-#include "reduced_models/pad_on_dish.h"
-#include "reduced_models/physical_model.h"
+#include "reduced_models/bearings/pad_on_dish.h"
+#include "reduced_models/bearings/physical_model.h"
 #include "reduced_models/simulate.h"
 #include <algorithm>
 #include <cmath>

@@ -15,7 +15,7 @@
 #include "io/files/file.h"
 #include "io/files/json_text.h"
 #include "laws/impact/catalogue.h"
-#include "reduced_models/physical_model.h"
+#include "reduced_models/bearings/physical_model.h"
 #include "reduced_models/simulate.h"
 #include "responses/build_version.h"
 #include "responses/response.h"

@@ -5,7 +5,7 @@
 /// acceleration may be off by 0.02 m/s^2 + 5 % of itself. So curvature costs certainty only where it is in doubt, and
 /// the covariance of (u, v) holds it.
 #pragma once
-#include "reduced_models/physical_model.h"
+#include "reduced_models/bearings/physical_model.h"
 #include <Eigen/Core>
 #include <optional>
 

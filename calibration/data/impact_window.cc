@@ -5,7 +5,7 @@
 #include "calibration/data/series.h"
 #include "calibration/data/window_cutter.h"
 #include "io/files/error.h"
-#include "reduced_models/pad_on_dish.h"
+#include "reduced_models/bearings/pad_on_dish.h"
 #include "responses/kept_run.h"
 #include <algorithm>
 #include <filesystem>

@@ -1,6 +1,6 @@
 /// What a fit reads from a run folder: the run's impacts, each cut out with the state it starts from.
 #pragma once
-#include "reduced_models/physical_model.h"
+#include "reduced_models/bearings/physical_model.h"
 #include "responses/summary.h"
 #include <cmath>
 #include <optional>

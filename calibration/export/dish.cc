@@ -1,6 +1,6 @@
 #include "calibration/export/dish.h"
-#include "reduced_models/pad_on_dish.h"
-#include "reduced_models/riding_height.h"
+#include "reduced_models/bearings/pad_on_dish.h"
+#include "reduced_models/bearings/riding_height.h"
 #include "scene/assumptions.h"
 #include "scene/stack_terms.h"
 #include <cmath>

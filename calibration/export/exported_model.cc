@@ -1,6 +1,6 @@
 #include "calibration/export/exported_model.h"
 
-#include "reduced_models/physical_model.h"
+#include "reduced_models/bearings/physical_model.h"
 #include "reduced_models/simulate.h"
 #include "scene/stack_terms.h"
 #include <algorithm>

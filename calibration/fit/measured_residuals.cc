@@ -5,7 +5,7 @@
 #include "calibration/data/functionals.h"
 #include "calibration/data/series.h"
 #include "calibration/fit/shooting.h"
-#include "reduced_models/pad_on_dish.h"
+#include "reduced_models/bearings/pad_on_dish.h"
 #include <cmath>
 
 namespace rimpact::calibration {

@@ -1,5 +1,5 @@
 #include "calibration/laws/sensitivity.h"
-#include "reduced_models/physical_model.h"
+#include "reduced_models/bearings/physical_model.h"
 #include "reduced_models/simulate.h"
 #include <algorithm>
 #include <fmt/format.h>

@@ -3,7 +3,7 @@
 ///   int_0^D F dd = m v^2 / 2,  rebound = sqrt(2 W_returned(D) / m).
 /// Between the rims that were pushed, values are interpolated by a parabola in the logarithms.
 #pragma once
-#include "reduced_models/rim_curve_file.h"
+#include "reduced_models/bearings/rim_curve_file.h"
 #include <map>
 #include <optional>
 #include <string>

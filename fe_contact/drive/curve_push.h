@@ -2,7 +2,7 @@
 /// way.
 #pragma once
 #include "fe_contact/drive/run.h"
-#include "reduced_models/rim_curve_file.h"
+#include "reduced_models/bearings/rim_curve_file.h"
 
 namespace rimpact::fe {
 

@@ -7,7 +7,7 @@
 /// with D the depth at which the static curve stops the mass from the speed v, and alpha the rim's judged strain there.
 /// Large strains, and a rate that falls on the way in, are left out: docs/results/refinement.md has the error.
 #pragma once
-#include "reduced_models/rim_curve_file.h"
+#include "reduced_models/bearings/rim_curve_file.h"
 
 namespace rimpact::fe {
 

@@ -2,7 +2,7 @@
 #pragma once
 #include "fe_contact/drive/top_drive.h"
 #include "fe_contact/rungs/rim_frame.h"
-#include "reduced_models/physical_model.h"
+#include "reduced_models/bearings/physical_model.h"
 #include "scene/scene.h"
 #include <functional>
 

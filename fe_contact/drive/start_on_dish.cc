@@ -3,7 +3,7 @@
 #include "fe_contact/drive/cached_preload.h"
 #include "fe_contact/solver/march.h"
 #include "io/files/error.h"
-#include "reduced_models/physical_model.h"
+#include "reduced_models/bearings/physical_model.h"
 #include <cmath>
 
 namespace rimpact::fe {

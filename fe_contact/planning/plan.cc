@@ -3,8 +3,8 @@
 #include "fe_contact/planning/stack_plan.h"
 
 #include "io/files/error.h"
-#include "reduced_models/pad_on_dish.h"
-#include "reduced_models/physical_model.h"
+#include "reduced_models/bearings/pad_on_dish.h"
+#include "reduced_models/bearings/physical_model.h"
 #include "reduced_models/simulate.h"
 #include "scene/assumptions.h"
 #include <algorithm>

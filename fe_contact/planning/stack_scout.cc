@@ -1,8 +1,8 @@
 // What the reduced model sees before rungs rigid-dish and full are run: impacts, near passes, where sliding ends.
 #include "fe_contact/planning/stack_scout.h"
 
-#include "reduced_models/pad_on_dish.h"
-#include "reduced_models/physical_model.h"
+#include "reduced_models/bearings/pad_on_dish.h"
+#include "reduced_models/bearings/physical_model.h"
 #include "reduced_models/simulate.h"
 #include <algorithm>
 #include <cmath>

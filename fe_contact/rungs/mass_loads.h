@@ -5,7 +5,7 @@
 #include "fe_contact/engine/remote_load.h"
 #include "fe_contact/rungs/rim_frame.h"
 #include "io/files/choice.h"
-#include "reduced_models/physical_model.h"
+#include "reduced_models/bearings/physical_model.h"
 
 namespace rimpact::fe {
 

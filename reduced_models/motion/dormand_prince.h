@@ -1,7 +1,7 @@
 /// Dormand-Prince 5(4): one step, its error estimate and its continuous extension of order four.
 /// Source: Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I (1993), II.4-II.6.
 #pragma once
-#include "reduced_models/state.h"
+#include "reduced_models/motion/state.h"
 #include <array>
 #include <cmath>
 

@@ -1,12 +1,12 @@
 /// Stores what a rigid-body bearing does, and keeps its extremes and energies.
 #pragma once
-#include "reduced_models/physical_model.h"
+#include "reduced_models/bearings/physical_model.h"
+#include "reduced_models/motion/step_budget.h"
 #include "reduced_models/rigid_body/heat_memory.h"
 #include "reduced_models/rigid_body/rigid_bearing.h"
 #include "reduced_models/rigid_body/triple_faces.h"
 #include "reduced_models/rigid_body/wall_memory.h"
 #include "reduced_models/simulate.h"
-#include "reduced_models/step_budget.h"
 
 namespace rimpact::reduced::rigid {
 

@@ -1,6 +1,6 @@
 /// Whole scenes by the models of bearings of rigid bodies: DCFP, LIR-DCFP and TFP.
 #pragma once
-#include "reduced_models/physical_model.h"
+#include "reduced_models/bearings/physical_model.h"
 #include "reduced_models/simulate.h"
 
 namespace rimpact::reduced {

@@ -3,7 +3,7 @@
 /// plate is the ground, its vertex the origin, z up. Planar: 5, 8 or 11 dofs; spatial: 9, 15 or 21, and three more when
 /// the top plate is free to rotate.
 #pragma once
-#include "reduced_models/building_recorder.h"
+#include "reduced_models/record/building_recorder.h"
 #include "reduced_models/rigid_body/bearing_parts.h"
 #include "reduced_models/rigid_body/stepper.h"
 #include "scene/scene.h"

@@ -1,7 +1,7 @@
 /// What earlier impacts have left on the rims and stops of a bearing of several bodies, arc by arc (one dish:
 /// dented_rim.h).
 #pragma once
-#include "reduced_models/dented_rim.h"
+#include "reduced_models/bearings/dented_rim.h"
 #include <algorithm>
 #include <cmath>
 #include <Eigen/Core>

@@ -1,6 +1,6 @@
 /// The friction state of a contact point: z, tangent to the surface, |z| <= 1; the friction force is -mu N z.
 #pragma once
-#include "reduced_models/wen_stage.h"
+#include "reduced_models/bearings/wen_stage.h"
 #include <cmath>
 #include <Eigen/Core>
 

@@ -8,7 +8,7 @@
 #include "laws/impact/catalogue.h"
 #include "reduced_models/rigid_body/contact.h"
 #include "reduced_models/rigid_body/slip.h"
-#include "reduced_models/superstructure.h"
+#include "reduced_models/structures/superstructure.h"
 #include <array>
 #include <vector>
 

@@ -5,7 +5,7 @@
 #include "io/files/json_text.h"
 #include "io/files/table_csv.h"
 #include "io/files/table_hdf5.h"
-#include "reduced_models/physical_model.h"
+#include "reduced_models/bearings/physical_model.h"
 #include "reduced_models/simulate.h"
 #include "responses/limits.h"
 #include "scene/toml_writer.h"

@@ -1,5 +1,5 @@
 #include "studies/risk/plan.h"
-#include "reduced_models/physical_model.h"
+#include "reduced_models/bearings/physical_model.h"
 #include "reduced_models/simulate.h"
 #include "scene/scene.h"
 #include "studies/fleets/fleet_table.h"

@@ -1,6 +1,6 @@
 #include "plain_cvode.h"
 #include "laws/impact/catalogue.h"
-#include "reduced_models/sundials.h"
+#include "reduced_models/motion/sundials.h"
 #include <cmath>
 #include <Eigen/LU>
 #include <stdexcept>

@@ -3,7 +3,7 @@
 #include "calibration/export/csi.h"
 #include "calibration/export/opensees.h"
 #include "calibration/export/self_check_text.h"
-#include "reduced_models/physical_model.h"
+#include "reduced_models/bearings/physical_model.h"
 #include <gtest/gtest.h>
 
 namespace rimpact::calibration {

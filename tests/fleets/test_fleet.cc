@@ -4,7 +4,7 @@
 #include "io/files/file.h"
 #include "io/files/folder_lock.h"
 #include "io/files/table_csv.h"
-#include "reduced_models/physical_model.h"
+#include "reduced_models/bearings/physical_model.h"
 #include "reduced_models/simulate.h"
 #include "responses/identity.h"
 #include "responses/physics_version.h"

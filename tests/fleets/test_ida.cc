@@ -3,7 +3,7 @@
 #include "../scene/temporary_folder.h"
 #include "io/files/table_csv.h"
 #include "io/records/record.h"
-#include "reduced_models/physical_model.h"
+#include "reduced_models/bearings/physical_model.h"
 #include "reduced_models/simulate.h"
 #include "studies/fleets/fleet.h"
 #include "studies/fleets/fractiles.h"

@@ -1,4 +1,4 @@
-#include "reduced_models/physical_model.h"
+#include "reduced_models/bearings/physical_model.h"
 #include "reduced_models/simulate.h"
 #include "studies/fleets/run_end.h"
 #include "tests/reduced_models/rigid_body/scenes.h"

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Slope of the finite pad's lift (reduced_models/pad_on_dish.h) by another program: a finer quadrature, energies
+"""Slope of the finite pad's lift (reduced_models/bearings/pad_on_dish.h) by another program: a finer quadrature, energies
 minimised by Nelder and Mead, differences over 2 mm. Printed for test_riding_height.cc; needs SciPy."""
 import numpy as np
 from scipy.optimize import minimize

@@ -1,7 +1,7 @@
 /// Scenes the tests of the reduced models start from.
 #pragma once
 #include "laws/impact/rim_curve.h"
-#include "reduced_models/physical_model.h"
+#include "reduced_models/bearings/physical_model.h"
 #include <cmath>
 #include <numbers>
 

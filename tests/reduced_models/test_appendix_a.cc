@@ -1,6 +1,6 @@
 // The thesis's appendix A: several amplitudes in one run, friction by the path's speed, and one dish for two.
 #include "io/files/file.h"
-#include "reduced_models/physical_model.h"
+#include "reduced_models/bearings/physical_model.h"
 #include "reduced_models/simulate.h"
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // The storey's hysteretic law by itself.
-#include "reduced_models/bouc_wen.h"
+#include "reduced_models/structures/bouc_wen.h"
 #include <cmath>
 #include <gtest/gtest.h>
 

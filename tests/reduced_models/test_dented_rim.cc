@@ -1,6 +1,6 @@
 // Dents with a place: the law itself for straight impacts, flanks for oblique ones and for those beside a dent.
-#include "reduced_models/dented_rim.h"
-#include "reduced_models/physical_model.h"
+#include "reduced_models/bearings/dented_rim.h"
+#include "reduced_models/bearings/physical_model.h"
 #include "reduced_models/simulate.h"
 #include <cmath>
 #include <gtest/gtest.h>

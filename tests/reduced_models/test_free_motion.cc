@@ -1,6 +1,6 @@
 // Motion without ground acceleration against closed forms.
-#include "reduced_models/pad_on_dish.h"
-#include "reduced_models/physical_model.h"
+#include "reduced_models/bearings/pad_on_dish.h"
+#include "reduced_models/bearings/physical_model.h"
 #include "reduced_models/simulate.h"
 #include "scenes.h"
 #include <algorithm>

@@ -1,5 +1,5 @@
 // The twelve-dof form: its derivative, equilibrium of the nodes, and the P-Delta moments.
-#include "reduced_models/node_kinematics.h"
+#include "reduced_models/bearings/node_kinematics.h"
 #include "reduced_models/simulate.h"
 #include "scenes.h"
 #include <Eigen/Geometry>

@@ -1,6 +1,6 @@
 // The mass on the pad's spring (reduced.normal_force = "pad").
 #include "io/files/error.h"
-#include "reduced_models/physical_model.h"
+#include "reduced_models/bearings/physical_model.h"
 #include "reduced_models/simulate.h"
 #include "scene/stack_terms.h"
 #include <algorithm>

@@ -1,8 +1,8 @@
 // Loops of 2.3.1 and the rim push against closed forms written from the thesis's equations, not from the
 // module's.
-#include "reduced_models/pad_on_dish.h"
-#include "reduced_models/physical_model.h"
-#include "reduced_models/riding_height.h"
+#include "reduced_models/bearings/pad_on_dish.h"
+#include "reduced_models/bearings/physical_model.h"
+#include "reduced_models/bearings/riding_height.h"
 #include "reduced_models/simulate.h"
 #include "scenes.h"
 #include <algorithm>

@@ -1,5 +1,5 @@
-#include "reduced_models/pad_on_dish.h"
-#include "reduced_models/riding_height.h"
+#include "reduced_models/bearings/pad_on_dish.h"
+#include "reduced_models/bearings/riding_height.h"
 #include "scene/stack_terms.h"
 #include "scenes.h"
 #include <gtest/gtest.h>

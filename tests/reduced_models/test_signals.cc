@@ -1,5 +1,5 @@
 // What the signals say beside one another: accelerations are forces over masses, an impulse is a change of momentum.
-#include "reduced_models/physical_model.h"
+#include "reduced_models/bearings/physical_model.h"
 #include "reduced_models/simulate.h"
 #include <cmath>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Buildings on the physical model: against modal superposition, a single mass on a held base, and limits.
 #include "../scene/expect_error.h"
 #include "reduced_models/simulate.h"
-#include "reduced_models/superstructure.h"
+#include "reduced_models/structures/superstructure.h"
 #include "scene/toml_writer.h"
 #include "scenes.h"
 #include <Eigen/Eigenvalues>

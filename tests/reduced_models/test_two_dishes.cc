@@ -1,5 +1,5 @@
 // The physical model of a slider between two dishes beside the rigid-body one, which knows slider, plates and contacts.
-#include "reduced_models/physical_model.h"
+#include "reduced_models/bearings/physical_model.h"
 #include "reduced_models/simulate.h"
 #include <cmath>
 #include <gtest/gtest.h>

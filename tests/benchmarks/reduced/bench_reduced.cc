@@ -1,5 +1,5 @@
 // Time of a reduced run beside its error against the same run at tight tolerance: `bench_reduced`.
-#include "reduced_models/physical_model.h"
+#include "reduced_models/bearings/physical_model.h"
 #include "reduced_models/simulate.h"
 #include <algorithm>
 #include <benchmark/benchmark.h>

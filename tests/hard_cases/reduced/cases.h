@@ -1,6 +1,6 @@
 /// The hard cases of the reduced model: scenes, and what must come out of them.
 #pragma once
-#include "reduced_models/physical_model.h"
+#include "reduced_models/bearings/physical_model.h"
 #include "reduced_models/simulate.h"
 #include <functional>
 #include <string>

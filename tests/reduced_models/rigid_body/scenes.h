@@ -1,6 +1,6 @@
 /// Scenes the tests of the double concave models start from.
 #pragma once
-#include "reduced_models/physical_model.h"
+#include "reduced_models/bearings/physical_model.h"
 #include <cmath>
 
 namespace rimpact::reduced::testing {

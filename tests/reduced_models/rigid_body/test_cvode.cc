@@ -1,8 +1,8 @@
 // The rigid-body stepper against SUNDIALS CVODE: the same forces as one plain differential equation (Park-Wen
 // friction, Bouc-Wen storey), other integrator, no analytic tangent, no implicit stages of the states.
+#include "reduced_models/motion/sundials.h"
 #include "reduced_models/rigid_body/rigid_bearing.h"
 #include "reduced_models/simulate.h"
-#include "reduced_models/sundials.h"
 #include "scenes.h"
 #include <algorithm>
 #include <Eigen/Geometry>

@@ -8,7 +8,7 @@
 #include "fe_contact/planning/plan.h"
 #include "io/files/error.h"
 #include "meshes/rim_mesh.h"
-#include "reduced_models/physical_model.h"
+#include "reduced_models/bearings/physical_model.h"
 #include "scene/scene.h"
 #include <algorithm>
 #include <CLI/CLI.hpp>

@@ -1,5 +1,5 @@
 #include "problem.h"
-#include "reduced_models/sundials.h"
+#include "reduced_models/motion/sundials.h"
 #include <algorithm>
 #include <cmath>
 #include <ctime>

@@ -2,7 +2,7 @@
 // record. Writes FOLDER/NAME.json (the problem, for peers in other languages), FOLDER/NAME-rows.json (times,
 // errors) and FOLDER/NAME-reference.json; work_precision.py makes the table.
 #include "problem.h"
-#include "reduced_models/physical_model.h"
+#include "reduced_models/bearings/physical_model.h"
 #include "reduced_models/simulate.h"
 #include <cmath>
 #include <ctime>
