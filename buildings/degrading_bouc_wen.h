@@ -2,11 +2,14 @@
 ///   F = r k d + (1 - r) F_y z,      k = F_y / d_y,
 ///   eta d_y z' = d' (1 - nu |z|^n (beta sign(z d') + 1 - beta)),
 ///   nu = 1 + d_nu e,  eta = 1 + d_eta e,      e' = nu |z|^n (beta |z d'| + (1 - beta) z d') / d_y.
-/// Source: Baber and Wen, J. Eng. Mech. Div. 107 (1981); without degradation thesis (2-26), (2-27), d' / d_y where
-/// (2-27) prints u_y d'. There e is the work of z, which unloading takes back in part; here it is what the loop has
-/// lost for good, so that nothing heals. Over closed loops both agree. At n = 2 and beta = 1/2 loading from rest
-/// without degradation is z = tanh(d / d_y).
+/// Where the capacity g moves with something else (an axial force), |z / g|^n stands for |z|^n, nu times it at most 1,
+/// and the yield force becomes g F_y. z stays as g moves, which does no work; a |z| beyond g comes down to it by the
+/// time constant `relaxation`, and what was stored above is lost. Source: Baber and Wen, J. Eng. Mech. Div. 107 (1981);
+/// without degradation thesis (2-26), (2-27), d' / d_y where (2-27) prints u_y d'. There e is the work of z, which
+/// unloading takes back in part; here it is what the loop has lost for good, so that nothing heals. Over closed loops
+/// both agree. At n = 2 and beta = 1/2 loading from rest without degradation is z = tanh(d / d_y).
 #pragma once
+#include <optional>
 
 namespace rimpact::buildings {
 
@@ -18,6 +21,12 @@ struct DegradingBoucWen {
   double beta = 0.5;            ///< [-], 0.5..1
   double strength_loss = 0;     ///< d_nu [-], 0..1
   double stiffness_loss = 0;    ///< d_eta [-], 0..2: above, a loop could give energy
+  struct Capacity {
+    double value = 1; ///< g [-], > 0
+    double dt = 0;    ///< of the stage's own rate [s]; 0: z stays beyond g
+  };
+  static constexpr double relaxation = 1e-3; ///< [s], assumption
+  std::optional<Capacity> capacity = {};     ///< none: it does not move, 1
   double stiffness() const { return yield_force / yield_deformation; }
 
   /// A deformation with its hysteretic state and normalised lost energy, or their rates.

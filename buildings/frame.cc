@@ -1,6 +1,7 @@
 #include "buildings/frame.h"
 #include "io/files/error.h"
 #include <algorithm>
+#include <cmath>
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
@@ -96,7 +97,9 @@ void check_inelastic(const Frame &f) {
     need(s.exponent >= 1, "exponent", s.exponent, "1 or more");
     need(s.beta >= 0.5 && s.beta <= 1, "beta", s.beta, "in 0.5..1");
     need(s.strength_loss >= 0 && s.strength_loss <= 1, "strength degradation", s.strength_loss, "in 0..1");
-    need(s.stiffness_loss >= 0 && s.stiffness_loss <= 2, "stiffness degradation", s.stiffness_loss, "in 0..2");
+    const double most = s.interaction == Interaction::none ? 2 : 2 / std::pow(interaction_of(s).largest(), 2);
+    need(s.stiffness_loss >= 0 && s.stiffness_loss <= most, "stiffness degradation", s.stiffness_loss,
+         fmt::format("in 0..{:.4g}", most)); // above, a loop could give energy
   }
 }
 

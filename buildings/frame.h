@@ -1,6 +1,7 @@
 /// A frame of beam-columns, rigid diaphragms, supports: linear in space, or inelastic in the plane of x and z. SI
 /// units, z upwards.
 #pragma once
+#include "buildings/axial_bending.h"
 #include "io/files/choice.h"
 #include "io/files/error.h"
 #include <Eigen/Core>
@@ -31,15 +32,30 @@ struct Node {
   std::string bearing = {}; ///< its name or file; empty: the scene's
 };
 
+/// Whether the moment of a member's end knows its axial force.
+enum class Interaction { none, stress_block };
+constexpr auto choices(Interaction) {
+  using enum Interaction;
+  return choices_of<Interaction>(
+      {{none, "none"}, {stress_block, "stress-block", "of concrete with two layers of steel"}});
+}
+
 /// What makes a member inelastic in the plane of x and z (plane_beam_column.h); wear as DegradingBoucWen.
 struct InelasticSection {
   double yield_moment = 0, axial_yield = 0;            ///< of the end sections [N m], along the member [N], > 0
+  Interaction interaction = Interaction::none;         ///< with one, yield_moment is that without an axial force
+  double depth = 0;                                    ///< of the section in the plane [m], > 0; read by an interaction
   double hinge_length = 0.25;                          ///< of an end section [m], > 0, at most a sixth of the member
   double post_yield = 0.02;                            ///< [-], 0..1
   double exponent = 2, beta = 0.5;                     ///< [-], >= 1, 0.5..1
   double strength_loss = 0.004, stiffness_loss = 0.01; ///< a unit of normalised lost energy [-], 0..1, 0..2
   bool operator==(const InelasticSection &) const = default;
 };
+
+/// The diagram of a section that has one: crushed at its axial yield force.
+inline AxialBending interaction_of(const InelasticSection &s) {
+  return {.crush = s.axial_yield, .plain = s.yield_moment, .depth = s.depth};
+}
 
 /// Elastic properties of a member's section, local axes of Element.
 struct Section {

@@ -40,7 +40,8 @@ void design_yield_moments(Frame &frame, const FrameDesign &design, double gravit
   const auto lacks = [](const Section &s) { return s.inelastic && !(s.inelastic->yield_moment > 0); };
   if (std::none_of(frame.sections.begin(), frame.sections.end(), lacks)) return;
   Frame elastic = frame;
-  for (auto &s : elastic.sections) s.inelastic->post_yield = 1, s.inelastic->yield_moment = 1;
+  for (auto &s : elastic.sections)
+    s.inelastic->post_yield = 1, s.inelastic->yield_moment = 1, s.inelastic->interaction = Interaction::none;
   const BuildingModel model = assemble(elastic);
   const auto structure = inelastic_structure(elastic, model, gravity);
   const VectorXd of_weights = structure->members(structure->at_rest().q).forces,

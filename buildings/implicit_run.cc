@@ -89,19 +89,27 @@ VectorXd ImplicitRun::powers(const State &s, int stage) const {
 void ImplicitRun::linearise(const State &to, bool renew, VectorXd &residual, MatrixXd &tangent) {
   auto &b = building_;
   residual -= b.model.mass.cwiseProduct(to.acceleration);
-  b.structure->linearise(to.q, to.velocity, residual, tangent);
+  std::vector<NodeMoment> moments;
   for (int i = 0; i < b.n_bearings(); ++i) {
     const ElementForce m = b.mounts[i]->linearise(b.node(i, to.q, to.velocity), renew);
     const auto &W = b.over_q[i];
     residual += W.transpose() * m.force;
     if (renew) tangent -= W.transpose() * (m.tangent * W);
+    if (b.structure->turns_nodes())
+      moments.push_back({m.force[4], W.transpose() * m.tangent.row(4).transpose(), W.transpose() * m.tangent.col(4),
+                         m.tangent(4, 4)});
   }
+  b.structure->linearise(to.q, to.velocity, moments, residual, tangent);
 }
 
 double ImplicitRun::correct(const VectorXd &correction) {
   auto &b = building_;
   double largest = std::max(correction.lpNorm<Eigen::Infinity>(), b.structure->correct(correction));
-  for (int i = 0; i < b.n_bearings(); ++i) largest = std::max(largest, b.mounts[i]->correct(b.over_q[i] * correction));
+  for (int i = 0; i < b.n_bearings(); ++i) {
+    Vector6 of_node = b.over_q[i] * correction;
+    of_node[4] += b.structure->turn_rate_correction(i);
+    largest = std::max(largest, b.mounts[i]->correct(of_node));
+  }
   return largest;
 }
 

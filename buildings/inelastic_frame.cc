@@ -34,6 +34,7 @@ PlaneBeamColumn member_law(const Frame &frame, const Element &e) {
   m.bending = {s.yield_moment, s.yield_moment / EI, s.post_yield,    s.exponent,
                s.beta,         s.strength_loss,     s.stiffness_loss};
   m.axial = {s.axial_yield, s.axial_yield / EA, s.post_yield, s.exponent, s.beta, s.strength_loss, s.stiffness_loss};
+  if (s.interaction != Interaction::none) m.interaction = interaction_of(s);
   m.hinge_length = s.hinge_length, m.load = e.load * std::abs(to.x() - from.x()) / m.length();
   return m;
 }
@@ -58,51 +59,78 @@ public:
       members_.push_back(m);
     }
     for (auto &turns : turns_) turns = VectorXd::Zero(model.n_nodes);
-    turn_rate_ = turns_[0];
+    for (auto &rate : turn_rates_) rate = turns_[0];
+    mean_turn_rate_ = turn_correction_ = turns_[0];
     update_modes(gravity);
+    turns_at_rest_ = turns_[0];
+  }
+
+  bool turns_nodes() const override { return true; }
+  NodeTurn turn(int bearing) const override { // the plane's turn from x to z is one about -y
+    const int node = model_.bearings[bearing];
+    return {turns_at_rest_[node] - turns_[slot_][node], -rates_now()[node]};
+  }
+  double turn_rate_correction(int bearing) const override {
+    return -turn_correction_[model_.bearings[bearing]] / stage_.own;
   }
 
   Rest at_rest() const override { return rest_; }
 
   VectorXd start(const VectorXd &q, const VectorXd &v) override {
+    slot_ = 0;
     for (auto &m : members_) m.base = m.at[0];
     evaluate(q, turns_[0], 0);
     return -force_.head(model_.n_dofs()) - damping_ * v;
   }
 
   void begin_stage(const Stage &stage) override {
-    stage_ = stage;
+    stage_ = stage, slot_ = stage.last ? 2 : 1;
     for (auto &m : members_) {
       m.base = along(m.at[0], stage.w1, m.rates[0]);
       if (stage.last) m.base = along(m.base, stage.w2, m.rates[1]);
-      m.at[now()] = m.at[stage.last ? 1 : 0];
+      m.at[slot_] = m.at[stage.last ? 1 : 0];
     }
-    turns_[now()] = turns_[0] + stage.reach * turn_rate_;
+    turns_from_ = reduced::tr_bdf2::base(stage, turns_[0], turn_rates_[0], turn_rates_[1]);
+    turns_[slot_] = turns_[0] + stage.reach * mean_turn_rate_;
   }
 
-  void linearise(const VectorXd &q, const VectorXd &v, VectorXd &force, MatrixXd &tangent) override {
-    evaluate(q, turns_[now()], now());
+  void linearise(const VectorXd &q, const VectorXd &v, const std::vector<NodeMoment> &moments, VectorXd &force,
+                 MatrixXd &tangent) override {
+    evaluate(q, turns_[slot_], slot_);
     const int n = model_.n_dofs(), m = model_.n_nodes;
-    const Eigen::PartialPivLU<MatrixXd> lu(stiffness_.bottomRightCorner(m, m));
-    follows_ = -lu.solve(stiffness_.bottomLeftCorner(m, n)), own_ = -lu.solve(force_.tail(m));
-    const auto across = stiffness_.topRightCorner(n, m);
+    // Of the turns: what is out of balance, its derivative by the velocity, by the turns; and of the dofs by the turns.
+    VectorXd moment = -force_.tail(m);
+    MatrixXd by_velocity = stage_.own * stiffness_.bottomLeftCorner(m, n), by_turn = stiffness_.bottomRightCorner(m, m),
+             across = stiffness_.topRightCorner(n, m);
+    for (std::size_t b = 0; b < moments.size(); ++b) { // a turn is one about -y
+      const int node = model_.bearings[b];
+      const NodeMoment &on = moments[b];
+      moment[node] -= on.moment;
+      by_velocity.row(node) += on.by_velocity.transpose();
+      by_turn(node, node) -= on.by_rate / stage_.own;
+      across.col(node) += on.force_by_rate / stage_.own;
+    }
+    const Eigen::PartialPivLU<MatrixXd> lu(by_turn);
+    follows_ = -lu.solve(by_velocity), own_ = lu.solve(moment);
     force -= force_.head(n) + across * own_ + damping_ * v;
-    tangent += stage_.own * (stiffness_.topLeftCorner(n, n) + across * follows_) + damping_;
+    tangent += stage_.own * stiffness_.topLeftCorner(n, n) + across * follows_ + damping_;
   }
 
   double correct(const VectorXd &velocity) override {
-    const VectorXd correction = own_ + follows_ * (stage_.own * velocity);
-    turns_[now()] += correction;
-    return correction.lpNorm<Eigen::Infinity>() / stage_.own;
+    turn_correction_ = own_ + follows_ * velocity;
+    turns_[slot_] += turn_correction_;
+    return turn_correction_.lpNorm<Eigen::Infinity>() / stage_.own;
   }
 
   void end_stage() override {
-    for (auto &m : members_) m.rates[now()] = rates_between(m.base, m.at[now()], stage_.own);
+    turn_rates_[slot_] = rates_now();
+    for (auto &m : members_) m.rates[slot_] = rates_between(m.base, m.at[slot_], stage_.own);
   }
 
   void accept() override {
     for (auto &m : members_) m.at[0] = m.at[2], m.rates[0] = m.rates[2];
-    turn_rate_ = (turns_[2] - turns_[0]) / stage_.reach, turns_[0] = turns_[2];
+    mean_turn_rate_ = (turns_[2] - turns_[0]) / stage_.reach;
+    turns_[0] = turns_[2], turn_rates_[0] = turn_rates_[2], slot_ = 0;
   }
 
   Power power(int stage, const VectorXd &v) const override {
@@ -147,7 +175,9 @@ private:
     SectionPoints at[3], rates[3]; ///< at start, middle, end of a step
   };
 
-  int now() const { return stage_.last ? 2 : 1; }
+  VectorXd rates_now() const {
+    return slot_ == 0 ? turn_rates_[0] : VectorXd((turns_[slot_] - turns_from_) / stage_.own);
+  }
 
   PlaneVector motion(const Member &m, const VectorXd &q, const VectorXd &turns) const {
     const int n = model_.n_dofs();
@@ -161,7 +191,7 @@ private:
     const int all = model_.n_dofs() + model_.n_nodes;
     force_ = VectorXd::Zero(all), stiffness_ = MatrixXd::Zero(all, all);
     for (auto &m : members_) {
-      m.answer = m.law.at(motion(m, q, turns), m.base, m.at[slot]);
+      m.answer = m.law.at(motion(m, q, turns), m.base, m.at[slot], slot == 0 ? 0 : stage_.own);
       m.at[slot] = m.answer.inner.points;
       for (int a = 0; a < 6; ++a) {
         force_[m.dofs[a]] += m.answer.force[a];
@@ -248,7 +278,10 @@ private:
   const BuildingModel &model_;
   MatrixXd damping_;
   std::vector<Member> members_;
-  VectorXd turns_[3], turn_rate_; ///< of every node, anticlockwise [rad]
+  /// Of every node, from x to z [rad], [rad/s]: at start, middle, end of a step.
+  VectorXd turns_[3], turn_rates_[3];
+  VectorXd turns_at_rest_, turns_from_, mean_turn_rate_, turn_correction_;
+  int slot_ = 0; ///< of the iterate
   VectorXd force_, own_;
   MatrixXd stiffness_, follows_;
   Rest rest_;

@@ -12,7 +12,8 @@ public:
   Rest at_rest() const override { return {static_displacements(model_, gravity_), static_reactions(model_, gravity_)}; }
   VectorXd start(const VectorXd &q, const VectorXd &v) override { return -model_.stiffness * q - model_.damping * v; }
   void begin_stage(const Stage &stage) override { slope_ = stage.own * model_.stiffness + model_.damping; }
-  void linearise(const VectorXd &q, const VectorXd &v, VectorXd &force, MatrixXd &tangent) override {
+  void linearise(const VectorXd &q, const VectorXd &v, const std::vector<NodeMoment> &, VectorXd &force,
+                 MatrixXd &tangent) override {
     force -= model_.stiffness * q + model_.damping * v, tangent += slope_;
   }
   Power power(int, const VectorXd &v) const override { return {v.dot(model_.damping * v), 0}; }

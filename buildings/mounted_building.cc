@@ -22,6 +22,8 @@ MountedBuilding::MountedBuilding(const BuildingModel &m, const scene::Scene &sce
     mounts.push_back(s.rigid_bodies() ? rigid_element(s) : dish_element(s));
     capacity.push_back(mounts[b]->lateral_capacity), rim_stiffness.push_back(mounts[b]->rim_stiffness);
     over_q.push_back(m.nodal.middleRows(6 * m.bearings[b], 6));
+    if (structure->turns_nodes()) // in the plane of x and z, and by unknowns of the structure's
+      for (const int row : {1, 3, 4, 5}) over_q[b].row(row).setZero();
   }
 }
 
@@ -30,7 +32,12 @@ double MountedBuilding::elastic_energy(const Eigen::VectorXd &y) const {
 }
 
 NodeMotion MountedBuilding::node(int b, const Eigen::VectorXd &q, const Eigen::VectorXd &v) const {
-  return {over_q[b] * (q - start_.head(n)), over_q[b] * v};
+  NodeMotion motion{over_q[b] * (q - start_.head(n)), over_q[b] * v};
+  if (structure->turns_nodes()) {
+    const NodeTurn turn = structure->turn(b);
+    motion.u[4] = turn.angle, motion.v[4] = turn.rate;
+  }
+  return motion;
 }
 
 } // namespace rimpact::buildings

@@ -15,21 +15,22 @@ Matrix2d PlaneBeamColumn::interior() const {
   return F * (L / (6 * EI)) - Matrix2d::Identity() * (hinge_length / EI);
 }
 
-PlaneBeamColumn::Basic PlaneBeamColumn::basic(const Vector3 &v, const SectionPoints &base,
-                                              const SectionPoints &guess) const {
+PlaneBeamColumn::Bent PlaneBeamColumn::bent(const DegradingBoucWen &law, const Vector2d &rotations,
+                                            const SectionPoints &base, const SectionPoints &guess,
+                                            SectionPoints &points) const {
   constexpr int most = 40;
-  Basic b{Vector3::Constant(std::numeric_limits<double>::quiet_NaN()), Matrix3d::Zero(), guess};
-  const double L = length(), EI = bending.stiffness(), sag = load * L * L * L / (24 * EI);
+  Bent b{false, Vector2d::Zero(), Matrix2d::Zero(), Vector2d::Zero()};
+  const double L = length(), sag = load * L * L * L / (24 * law.stiffness());
   const Matrix2d F = interior();
-  const Vector2d phi(v[1] + sag, v[2] - sag);
-  Vector2d kappa(guess[0].d, guess[1].d), M;
+  const Vector2d phi(rotations[0] + sag, rotations[1] - sag);
+  Vector2d kappa(guess[0].d, guess[1].d);
   Matrix2d D = Matrix2d::Zero();
   const auto imbalance = [&](const Vector2d &at) -> Vector2d {
     for (int end = 0; end < 2; ++end) {
-      const auto step = bending.implicit_step(base[end], at[end], b.points[end]);
-      M[end] = step.force, D(end, end) = step.slope, b.points[end] = step.at;
+      const auto step = law.implicit_step(base[end], at[end], points[end]);
+      b.moment[end] = step.force, D(end, end) = step.slope, points[end] = step.at;
     }
-    return phi - F * M - hinge_length * at;
+    return phi - F * b.moment - hinge_length * at;
   };
   Vector2d g = imbalance(kappa);
   const double size = phi.lpNorm<Eigen::Infinity>(), small = 1e-14 * size + 1e-18;
@@ -41,21 +42,44 @@ PlaneBeamColumn::Basic PlaneBeamColumn::basic(const Vector3 &v, const SectionPoi
     Vector2d next = imbalance(kappa + correction);
     const bool settled = correction.lpNorm<Eigen::Infinity>() < 1e-13 * kappa.lpNorm<Eigen::Infinity>();
     while (!settled && !(next.norm() < g.norm()) && share > 1e-3)
-      share /= 2, b.points = guess, next = imbalance(kappa + share * correction);
+      share /= 2, points = guess, next = imbalance(kappa + share * correction);
     kappa += share * correction, g = next;
     if (settled) break;
   }
-  if (!(g.lpNorm<Eigen::Infinity>() < 1e-9 * (size + 1e-6))) return b;
-  const auto stretch = axial.implicit_step(base[2], v[0] / L, guess[2]);
-  b.points[2] = stretch.at;
-  b.force << stretch.force, M;
-  b.slopes(0, 0) = stretch.slope / L;
-  b.slopes.bottomRightCorner<2, 2>() = D * (F * D + hinge_length * Matrix2d::Identity()).inverse();
+  b.found = g.lpNorm<Eigen::Infinity>() < 1e-9 * (size + 1e-6);
+  const Matrix2d inverse = (F * D + hinge_length * Matrix2d::Identity()).inverse();
+  b.slopes = D * inverse;
+  if (!interaction) return b;
+  Vector2d explicitly; // of the moments at held curvatures
+  for (int end = 0; end < 2; ++end) {
+    DegradingBoucWen more = law;
+    more.capacity->value *= 1 + 1e-6;
+    explicitly[end] =
+        (more.implicit_step(base[end], kappa[end], points[end]).force - b.moment[end]) / (1e-6 * law.capacity->value);
+  }
+  b.by_capacity = explicitly - D * inverse * F * explicitly;
   return b;
 }
 
-PlaneBeamColumn::Answer PlaneBeamColumn::at(const PlaneVector &u, const SectionPoints &base,
-                                            const SectionPoints &guess) const {
+PlaneBeamColumn::Basic PlaneBeamColumn::basic(const Vector3 &v, const SectionPoints &base, const SectionPoints &guess,
+                                              double dt) const {
+  Basic b{Vector3::Constant(std::numeric_limits<double>::quiet_NaN()), Matrix3d::Zero(), guess};
+  const auto stretch = axial.implicit_step(base[2], v[0] / length(), guess[2]);
+  DegradingBoucWen law = bending;
+  const auto factor = interaction ? interaction->factor(stretch.force) : AxialBending::Factor{1, 0};
+  if (interaction) law.capacity = {factor.value, dt};
+  const Bent ends = bent(law, v.tail<2>(), base, guess, b.points);
+  if (!ends.found) return b;
+  b.points[2] = stretch.at;
+  b.force << stretch.force, ends.moment;
+  b.slopes(0, 0) = stretch.slope / length();
+  b.slopes.bottomRightCorner<2, 2>() = ends.slopes;
+  b.slopes.bottomLeftCorner<2, 1>() = ends.by_capacity * (factor.slope * b.slopes(0, 0));
+  return b;
+}
+
+PlaneBeamColumn::Answer PlaneBeamColumn::at(const PlaneVector &u, const SectionPoints &base, const SectionPoints &guess,
+                                            double dt) const {
   const Vector2d rest = to - from, chord = rest + u.segment<2>(3) - u.segment<2>(0);
   const double L = rest.norm(), l = chord.norm(), c = chord[0] / l, s = chord[1] / l;
   const double turn = std::atan2(rest[0] * chord[1] - rest[1] * chord[0], rest.dot(chord));
@@ -65,7 +89,7 @@ PlaneBeamColumn::Answer PlaneBeamColumn::at(const PlaneVector &u, const SectionP
   const Vector2d stretch = u.segment<2>(3) - u.segment<2>(0);
   const double elongation = (2 * rest.dot(stretch) + stretch.squaredNorm()) / (l + L);
   Answer a;
-  a.inner = basic({elongation, u[2] - psi, u[5] - psi}, base, guess);
+  a.inner = basic({elongation, u[2] - psi, u[5] - psi}, base, guess, dt);
   PlaneVector r, z; // d l / du, l d psi / du
   r << -c, -s, 0, c, s, 0;
   z << s, -c, 0, -s, c, 0;

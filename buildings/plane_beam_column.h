@@ -4,9 +4,11 @@
 /// so that the member is exactly E I before yield. Source: corotation as Crisfield (1990) and Le, Battini and Hjiaj
 /// (2011); end sections of length l_p as Scott and Fenves, J. Struct. Eng. 132 (2006). SI units.
 #pragma once
+#include "buildings/axial_bending.h"
 #include "buildings/degrading_bouc_wen.h"
 #include <array>
 #include <Eigen/Core>
+#include <optional>
 
 namespace rimpact::buildings {
 
@@ -21,26 +23,28 @@ struct PlaneBeamColumn {
   Eigen::Vector2d from, to; ///< of the ends at rest (x, z) [m]
   DegradingBoucWen bending; ///< of both end sections: M [N m] over curvature [1/m]; its stiffness is E I
   DegradingBoucWen axial;   ///< N [N] over strain [-]; its stiffness is E A
-  double hinge_length = 0;  ///< l_p [m], > 0, at most L / 6
-  double load = 0;          ///< across the member, downwards on one that lies level [N/m]; its end shears act elsewhere
+  std::optional<AxialBending> interaction = {}; ///< none: the moment does not know its axial force
+  double hinge_length = 0;                      ///< l_p [m], > 0, at most L / 6
+  double load = 0; ///< across the member, downwards on one that lies level [N/m]; its end shears act elsewhere
 
   double length() const { return (to - from).norm(); }
 
   struct Basic {
     Vector3 force;          ///< N, M_i, M_j
-    Eigen::Matrix3d slopes; ///< by the basic deformations; symmetric
+    Eigen::Matrix3d slopes; ///< by the basic deformations; symmetric but for an interaction
     SectionPoints points;
   };
-  /// `base`: what a stage starts from, `guess`: where Newton over the two curvatures does. Forces are not numbers where
+  /// `base`: what a stage starts from, `guess`: where Newton over the two curvatures does; dt: time of the stage's own
+  /// rate [s], read by an interaction. Forces are not numbers where
   /// it finds no solution.
-  Basic basic(const Vector3 &deformation, const SectionPoints &base, const SectionPoints &guess) const;
+  Basic basic(const Vector3 &deformation, const SectionPoints &base, const SectionPoints &guess, double dt = 0) const;
 
   struct Answer {
     PlaneVector force;   ///< of the nodes on the ends
-    PlaneMatrix tangent; ///< by the ends' motion, symmetric
+    PlaneMatrix tangent; ///< by the ends' motion, symmetric but for an interaction
     Basic inner;
   };
-  Answer at(const PlaneVector &motion, const SectionPoints &base, const SectionPoints &guess) const;
+  Answer at(const PlaneVector &motion, const SectionPoints &base, const SectionPoints &guess, double dt = 0) const;
 
   double stored(const SectionPoints &points) const;                           ///< [J]
   double loss(const SectionPoints &points, const SectionPoints &rates) const; ///< [W]
@@ -48,6 +52,15 @@ struct PlaneBeamColumn {
   double plastic_rotation(int end, const SectionPoints &points) const;
 
 private:
+  struct Bent {
+    bool found;
+    Eigen::Vector2d moment;
+    Eigen::Matrix2d slopes;      ///< by the rotations
+    Eigen::Vector2d by_capacity; ///< of the moments at held rotations
+  };
+  /// Curvatures of both ends into `points`, the law's capacity that of the axial force.
+  Bent bent(const DegradingBoucWen &law, const Eigen::Vector2d &rotations, const SectionPoints &base,
+            const SectionPoints &guess, SectionPoints &points) const;
   Eigen::Matrix2d interior() const; ///< F
 };
 

@@ -14,6 +14,10 @@ namespace {
 void visit_class(KeyVisitor &v, MemberClass &c) {
   v.limit({"yield_kN_m", "moment of an end section; not given: by [design]"}, c.yield_moment, kilo, {0, huge, true});
   v.limit({"axial_yield_kN", "not given: 0.85 f_c times area"}, c.axial_yield, kilo, {0, huge, true});
+  if (v.wants(c.law.interaction != Interaction::none))
+    v.choice(
+        {.name = "interaction", .meaning = "of the moment with the axial force; yield_kN_m is then that without one"},
+        c.law.interaction);
   v.number({"hinge_length_mm", "of an end section, at most a sixth of the member"}, c.law.hinge_length, milli,
            {0, 1e4, true});
   v.number({"post_yield_ratio", "stiffness after yield over before"}, c.law.post_yield, si, {0, 1});
@@ -43,9 +47,10 @@ std::vector<std::string> assumed_of(const TomlFile &file, PlaneFrame frame) {
   return words;
 }
 
-Section section_of(const PlaneFrame &f, const MemberClass &c, const char *name, double y, double z) {
+/// `depth`: in the plane of the frame.
+Section section_of(const PlaneFrame &f, const MemberClass &c, const char *name, double y, double z, double depth) {
   Section s = rectangle(name, y, z, f.E, 0.2);
-  s.shear_y = s.shear_z = 0, s.inelastic = c.law;
+  s.shear_y = s.shear_z = 0, s.inelastic = c.law, s.inelastic->depth = depth;
   s.inelastic->yield_moment = c.yield_moment.value_or(0);
   s.inelastic->axial_yield = c.axial_yield.value_or(0.85 * f.strength * s.area);
   return s;
@@ -84,8 +89,8 @@ Frame make_frame(const PlaneFrame &p) {
   const double width = p.x.back() - p.x[0], mass = p.load / p.gravity * width;
   Frame f;
   f.name = p.name, f.damping_ratio = p.damping_ratio, f.assumed = p.assumed;
-  f.sections = {section_of(p, p.column, "column", p.column_x, p.column_y),
-                section_of(p, p.beam, "beam", p.beam_width, p.beam_depth)};
+  f.sections = {section_of(p, p.column, "column", p.column_x, p.column_y, p.column_x),
+                section_of(p, p.beam, "beam", p.beam_width, p.beam_depth, p.beam_depth)};
   double z = 0;
   for (int level = 0; level < levels; ++level) {
     if (level > 0) z += p.storeys[level - 1];

@@ -20,7 +20,7 @@ struct Kept {
 };
 
 /// What an inelastic frame in the plane of x and z cannot have.
-void check_plane(const Frame &frame, const scene::Scene &scene, bool rigid_bodies) {
+void check_plane(const Frame &frame, const scene::Scene &scene) {
   const auto &e = scene.excitation;
   const auto refuse = [](const std::string &what) {
     throw InputError(what + ": an inelastic frame moves in the plane of x and z");
@@ -30,9 +30,6 @@ void check_plane(const Frame &frame, const scene::Scene &scene, bool rigid_bodie
   if (e.kind == scene::ExcitationKind::record && !e.y.values.empty()) refuse("excitation.y is given");
   if (e.kind == scene::ExcitationKind::free && (e.start_displacement().y() != 0 || e.start_velocity().y() != 0))
     refuse("excitation: the start has a part along y");
-  if (rigid_bodies)
-    throw InputError("a bearing of rigid bodies (\"dcfp\", \"lir-dcfp\", \"tfp\") under an inelastic frame: it takes "
-                     "dishes, \"physical\"");
   if (static_cast<int>(frame.elements.size()) > most_members)
     throw InputError(
         fmt::format("the inelastic frame has {} members; {} are the most", frame.elements.size(), most_members));
@@ -79,7 +76,7 @@ void fly(const Frame &frame, const BuildingModel &model, const scene::Scene &sce
   const auto any = [&](auto has) { return has(scene) || std::any_of(bearings.begin(), bearings.end(), has); };
   const bool rigid_bodies = any([](const scene::Scene &one) { return one.rigid_bodies(); });
   const bool coulomb = any([](const scene::Scene &one) { return one.reduced.friction == scene::Friction::coulomb; });
-  if (frame.inelastic()) check_plane(frame, scene, rigid_bodies);
+  if (frame.inelastic()) check_plane(frame, scene);
   const bool measured = any([](const scene::Scene &one) { return one.reduced.measured.any(); });
   if (!frame.inelastic() && !rigid_bodies && !coulomb && !measured) {
     const BuildingDynamics dynamics(model, scene, bearings);

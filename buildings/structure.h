@@ -4,9 +4,28 @@
 
 namespace rimpact::buildings {
 
+/// Of a bearing's node about y, past its place at rest.
+struct NodeTurn {
+  double angle = 0, rate = 0; ///< [rad], [rad/s]
+};
+
+/// What a bearing's moment about y does to its node, with what hangs on the node's turn and its rate, positions
+/// following with Stage::own. Derivatives by the velocities of the dofs and by the rate.
+struct NodeMoment {
+  double moment = 0; ///< on the node [N m]
+  Eigen::VectorXd by_velocity;
+  Eigen::VectorXd force_by_rate; ///< of the dofs' force
+  double by_rate = 0;
+};
+
 class Structure {
 public:
   virtual ~Structure() = default;
+  /// Whether bearings' nodes turn about y by unknowns of its own. What stands on them then moves in the plane of x and
+  /// z, and their moments come by `NodeMoment`; otherwise the dofs say how nodes turn.
+  virtual bool turns_nodes() const { return false; }
+  virtual NodeTurn turn(int /*bearing*/) const { return {}; }              ///< of this iterate
+  virtual double turn_rate_correction(int /*bearing*/) const { return 0; } ///< of the last `correct` [rad/s]
 
   struct Rest {
     Eigen::VectorXd q;         ///< under its weight, sliders at height 0
@@ -17,8 +36,9 @@ public:
   virtual Eigen::VectorXd start(const Eigen::VectorXd &q, const Eigen::VectorXd &v) = 0;
   virtual void begin_stage(const Stage &stage) = 0;
   /// Adds its force to `force`, and takes its derivative by the velocity from `tangent`; own imbalance to first order.
-  virtual void linearise(const Eigen::VectorXd &q, const Eigen::VectorXd &v, Eigen::VectorXd &force,
-                         Eigen::MatrixXd &tangent) = 0;
+  /// `moments`: of the bearings, read by one that turns their nodes.
+  virtual void linearise(const Eigen::VectorXd &q, const Eigen::VectorXd &v, const std::vector<NodeMoment> &moments,
+                         Eigen::VectorXd &force, Eigen::MatrixXd &tangent) = 0;
   /// Own unknowns follow a correction of the velocity; their largest correction, as a velocity.
   virtual double correct(const Eigen::VectorXd &) { return 0; }
   virtual void end_stage() {}

@@ -117,10 +117,13 @@ double Dynamics::pad_compression(const scene::SurfacePoint &p, const State &y) c
   return dead_load_ / pad_stiffness + p.z - y[iZ];
 }
 
-/// Of spring and dashpot [N]; the pad does not pull.
+/// Of spring and dashpot [N]; the pad does not pull. The dashpot comes in over the first tenth of what the dead load
+/// compresses, so that no landing jumps.
 double Dynamics::pad_force(const scene::SurfacePoint &p, const State &y) const {
   const double pressed = pad_compression(p, y), rate = p.gradient.dot(Vector2d(y[iVX], y[iVY])) - y[iVZ];
-  return pressed > 0 ? std::max(0.0, pad_stiffness * (pressed + pad_retardation * rate)) : 0.0;
+  if (!(pressed > 0)) return 0;
+  const double share = std::min(1.0, 10 * pad_stiffness * pressed / dead_load_);
+  return std::max(0.0, pad_stiffness * (pressed + share * pad_retardation * rate));
 }
 
 /// What the pad loses [W], >= 0: all that its spring gives back while the mass leaves it behind.

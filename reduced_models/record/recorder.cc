@@ -39,9 +39,9 @@ const char *const columns[] = {"time",
                                "energy_impact",
                                "energy_contact"};
 
-const char *const temperature = "temperature"; ///< of a run whose friction goes by it
-const char *const damping = "energy_damping";  ///< of a pad that loses energy
-const char *const building_energies[] = {"energy_elastic", "energy_plastic", damping};
+const char *const temperature = "temperature";    ///< of a run whose friction goes by it
+const char *const lost_in_pad = "energy_damping"; ///< of a pad that loses energy
+const char *const building_energies[] = {"energy_elastic", "energy_plastic", lost_in_pad};
 
 } // namespace
 
@@ -54,7 +54,7 @@ Recorder::Recorder(const Dynamics &dynamics, Response *response, double output_s
   if (response_) {
     for (const char *name : columns) columns_.push_back(&response_->series(name));
     if (dynamics_.heats()) columns_.push_back(&response_->series(temperature));
-    if (dynamics_.pad_retardation > 0) columns_.push_back(&response_->series(damping));
+    if (dynamics_.pad_retardation > 0) columns_.push_back(&response_->series(lost_in_pad));
     if (dynamics_.building.any()) {
       for (const char *name : building_energies) columns_.push_back(&response_->series(name));
       for (const auto &name : BuildingRecorder::signals()) columns_.push_back(&response_->series(name));
@@ -172,7 +172,7 @@ void Recorder::store(const Mode &mode, double t, const State &y, double apart) {
                         l.impact,    l.contact};
   for (std::size_t i = 0; i < std::size(row); ++i) columns_[i]->push_back(row[i]);
   if (dynamics_.heats()) response_->append(temperature, dynamics_.temperature(y));
-  if (dynamics_.pad_retardation > 0) response_->append(damping, l.damping);
+  if (dynamics_.pad_retardation > 0) response_->append(lost_in_pad, l.damping);
   if (!dynamics_.building.any()) return;
   const double energies[] = {l.elastic, l.plastic, l.damping};
   for (int i = 0; i < 3; ++i) response_->append(building_energies[i], energies[i]);

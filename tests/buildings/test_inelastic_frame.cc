@@ -137,6 +137,45 @@ TEST(InelasticFrame, ConvergesWithTheTolerance) {
   EXPECT_LT(order, 1.1);
 }
 
+/// Sliders on contact points below the joints, which turn with the frame and take the bearings' moments.
+scene::Scene on_rigid_bodies(scene::ModelKind kind, double scale) {
+  auto s = frame_pulse(scale, 1e-4);
+  s.reduced.model = kind;
+  s.isolator.space = scene::Space::spatial, s.isolator.points = 8;
+  return s;
+}
+
+TEST(InelasticFrame, OnRigidBodiesFarFromYieldIsTheLinearBuildingOnThem) {
+  PlaneFrame p = thesis_plane();
+  p.column.yield_moment = p.beam.yield_moment = 1e9, p.column.axial_yield = p.beam.axial_yield = 1e10;
+  const Frame inelastic = make_frame(p);
+  for (const auto kind : {scene::ModelKind::dcfp, scene::ModelKind::lir_dcfp}) {
+    const auto s = on_rigid_bodies(kind, 0.6);
+    const auto run = simulate(inelastic, s);
+    const auto &frame = run.summary;
+    ASSERT_EQ(frame.status, RunStatus::done) << frame.reason;
+    EXPECT_LT(std::abs(frame.energy->imbalance_relative()), 1e-4);
+    const Summary linear = buildings::by_implicit_steps(assemble(inelastic), s, 3);
+    EXPECT_GT(frame.peak_displacement, 0.05);
+    EXPECT_NEAR(frame.peak_displacement / linear.peak_displacement, 1, 0.01) << word(kind);
+    for (int floor = 0; floor < 3; ++floor)
+      EXPECT_NEAR(peak_drift(frame, floor) / peak_drift(linear, floor), 1, 0.05) << word(kind) << floor;
+    for (const double y : run.response.series("floor_1_displacement_y")) EXPECT_EQ(y, 0);
+  }
+}
+
+TEST(InelasticFrame, YieldsOnRigidBodiesAndDishesSideBySide) {
+  Frame f = make_frame(thesis_plane());
+  f.nodes[0].bearing = f.nodes[2].bearing = "lir-dcfp"; // the one in the middle has a dish
+  const auto lir = on_rigid_bodies(scene::ModelKind::lir_dcfp, 1.1), dish = frame_pulse(1.1, 1e-4);
+  const auto run = simulate(f, dish, {lir, dish, lir});
+  ASSERT_EQ(run.summary.status, RunStatus::done) << run.summary.reason;
+  EXPECT_GT(run.summary.energy->plastic, 0);
+  EXPECT_LT(std::abs(run.summary.energy->imbalance_relative()), 1e-4);
+  const auto &moment = run.response.series("bearing_1_moment_y");
+  EXPECT_GT(*std::max_element(moment.begin(), moment.end()), 1e3);
+}
+
 TEST(InelasticFrame, AWeakerOneDriftsMore) {
   PlaneFrame p = thesis_plane();
   p.design.overstrength = 0.6;
@@ -176,8 +215,8 @@ TEST(InelasticFrame, RefusesWhatItsPlaneHasNot) {
   auto s = frame_pulse(1, 1e-4);
   s.excitation.direction_deg = 45;
   refuses(make_frame(thesis_plane()), s, "excitation.direction_deg 45");
-  s = frame_pulse(1, 1e-4), s.reduced.model = scene::ModelKind::dcfp;
-  refuses(make_frame(thesis_plane()), s, "it takes dishes");
+  s = frame_pulse(1, 1e-4), s.reduced.model = scene::ModelKind::lir_dcfp;
+  refuses(make_frame(thesis_plane()), s, "isolator.space = \"spatial\"");
   Frame bent = make_frame(thesis_plane());
   bent.nodes[3].at.y() = 1;
   refuses(bent, frame_pulse(1, 1e-4), "node 4");

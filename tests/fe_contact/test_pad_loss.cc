@@ -1,6 +1,5 @@
 // A material that never yields and loses energy as it strains: closed forms of a point, a mass that swings on a column.
-#include "box_mesh.h"
-#include "fe_contact/drive/motion.h"
+#include "blocks.h"
 #include "fe_contact/engine/internal_forces.h"
 #include "one_point.h"
 
@@ -9,9 +8,6 @@
 
 namespace rimpact::fe {
 namespace {
-
-using meshes::Surface;
-using meshes::Volume;
 
 /// E = 200 GPa, nu = 0.3, as the tests' volume.
 struct LossyPoint {
@@ -72,8 +68,8 @@ TEST(PadLoss, ACycleLosesTheLossFactorsShareOfItsEnergy) {
     const double phase = 2 * std::numbers::pi * i / steps, shear = amplitude * std::sin(phase);
     Matrix3 F = Matrix3::Identity();
     F(0, 1) = shear;
-    if (i == steps) begun = state.viscous_work;
     state = point.step(state, F, 2 * std::numbers::pi / omega / steps).state;
+    if (i == steps) begun = state.viscous_work;
   }
   const double largest = 0.5 * point.spring.shear_modulus * amplitude * amplitude;
   EXPECT_NEAR((state.viscous_work - begun) / (2 * std::numbers::pi * largest), point.loss.retardation * omega, 1e-5);
@@ -120,7 +116,8 @@ TEST(PadLoss, AMassOnAColumnOfThePadSwingsDownAndTheLedgerHasIt) {
   ASSERT_LT(own, 2e-3 * column.mass);
   MotionOptions options;
   options.largest_step = options.contact_step = dt;
-  options.step.rho_inf = 1;
+  options.smallest_step = 1e-3 * dt;
+  options.step.rho_inf = 1, options.step.max_augmentations = 0;
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(state.u.size());
   const double ratio = column.loss_factor / 2, damped = column.omega * std::sqrt(1 - ratio * ratio);
   double worst = 0;
@@ -133,7 +130,7 @@ TEST(PadLoss, AMassOnAColumnOfThePadSwingsDownAndTheLedgerHasIt) {
   ASSERT_TRUE(report.march.finished) << report.march.reason;
   EXPECT_LT(worst, 0.02 * speed / column.omega);
   EXPECT_GT(report.ledger.damping, 0.95 * put_in);
-  EXPECT_LT(std::abs(report.ledger.imbalance_relative()), 1e-3);
+  EXPECT_LT(std::abs(report.ledger.imbalance_relative()), 2e-3); // of 400 steps a cycle, at a loss factor of 0.2
 }
 
 TEST(PadLoss, WhatACommittedStateBearsIsItsSpring) {

