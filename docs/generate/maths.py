@@ -15,7 +15,7 @@ OPERATORS = {"le": "≤", "ge": "≥", "ne": "≠", "approx": "≈", "to": "→"
              "ldots": "…", "quad": None, "qquad": None, "lvert": "|", "rvert": "|", "lVert": "‖", "rVert": "‖", "langle": "⟨", "rangle": "⟩", ",": None, ";": None, " ": None,
              "{": "{", "}": "}", "propto": "∝", "perp": "⊥", "ll": "≪", "gg": "≫", "colon": ":"}
 SPACES = {"quad": "1em", "qquad": "2em", ",": "0.17em", ";": "0.28em", " ": "0.28em"}
-FUNCTIONS = "sin cos tan asin atan ln exp max min sign sinh tanh arctan arcsin det dev".split()
+FUNCTIONS = "sin cos tan asin atan ln exp max min sign sinh tanh arctan arcsin det dev tr".split()
 ACCENTS = {"dot": "˙", "ddot": "¨", "bar": "¯", "hat": "^", "tilde": "~"}
 TOKEN = re.compile(r"\\[a-zA-Z]+|\\\\|\\.|\d+(?:\.\d+)?|\S|\s+")
 UNSTRETCHED = "()[]|‖"

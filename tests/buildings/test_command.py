@@ -276,7 +276,7 @@ class InelasticFrame(Run, unittest.TestCase):
         with open(frame, "w") as file:
             file.write("x_m = [0.0, 8.0]\nstoreys_m = [3.5]\nload_kN_per_m = 40.0\n[column]\nhinge_length_mm = 700.0\n")
         for needle, arguments in ((f"{frame}:5", ["--frame", frame]), ("direction_deg 30", ["--frame", "thesis-2.5", "--set", "excitation.direction_deg=30"]),
-                                  ("takes dishes", ["--frame", "thesis-2.5", "--set", 'reduced.model="dcfp"'])):
+                                  ("isolator.space", ["--frame", "thesis-2.5", "--set", 'reduced.model="dcfp"'])):
             run = rimpact("building", "ricker-0.78g-1.0s", "-o", os.path.join(self.scratch.name, "refused"), *arguments)
             self.assertEqual(run.returncode, 2, run.stderr)
             self.assertIn(needle, run.stderr)
