@@ -161,7 +161,7 @@ void add_slider(HexMesh &mesh, const scene::Bearing &bearing, double h, double t
   };
   body.raise(half_disc(s.core, angles, 25 * mm * h), grid.inner.size() - 1, axis, height, Volume::upper_slider,
              between_dishes ? Surface::pad_face : Surface::socket, Surface::top);
-  if (between_dishes) tilt_about_dish(mesh, first, bearing.surface.R0, bearing.slider_tilt(travel));
+  if (between_dishes) tilt_about_dish(mesh, first, bearing.surface.R0, scene::tilt(bearing, travel));
 }
 
 } // namespace rimpact::meshes

@@ -106,7 +106,7 @@ json strain_limit(const scene::Scene &scene, Summary &summary) {
 void warn_of_tipping(const scene::Scene &scene, Summary &summary) {
   const scene::Bearing &b = scene.bearing;
   if (scene.rigid_bodies() || !b.double_concave() || !summary.peak_impact_force) return;
-  const double tilt = b.slider_tilt(b.lateral_capacity()),
+  const double tilt = scene::tilt(b, b.lateral_capacity()),
                middle = b.surface.R0 - (b.surface.R0 - b.slider.height / 2) * std::cos(tilt),
                arm = 2 * (middle - scene::edge_at_touch(b) - b.slider.edge_radius),
                couple = *summary.peak_impact_force * arm, held = scene.load.vertical * b.slider.diameter;

@@ -43,10 +43,6 @@ double Bearing::lateral_capacity() const {
                           : wall_radius() - slider.diameter / 2;
 }
 
-double Bearing::slider_tilt(double travel) const {
-  return std::asin(travel / effective_radius(*this));
-}
-
 SurfaceSpec Bearing::ridden_surface() const {
   SurfaceSpec ridden = surface;
   if (!double_concave()) return ridden;

@@ -108,14 +108,14 @@ struct Bearing {
   }
   const Material &rim_steel() const { return steel_of(SteelPart::rim); } ///< what the law of the rim is made of
   bool double_concave() const { return surface.concave == Concave::twice; }
+  /// Below the slider, between foot and dish; a slider between two dishes has neither pad nor socket.
+  bool has_pad() const { return !double_concave(); }
   /// Dishes in series, each moved through by its share of the travel: 1 or 2.
   int dishes() const { return double_concave() ? 2 : 1; }
   double wall_radius() const { return surface.planar_radius + rim.ledge; } ///< of the rim's inner face [m]
   /// Travel of what is carried at which the rim is touched, or both are [m]. L_c = r_p - b_s/2 (eq. 2-5); between two
   /// dishes C = R_eff sin(theta), theta the slider's tilt at which its rounded edge meets the wall.
   double lateral_capacity() const;
-  /// Tilt of a slider between two dishes at a travel of what is carried [rad].
-  double slider_tilt(double travel) const;
   /// What the carried mass rides: the dish, or the sphere of R_eff = 2 R - H_s (3-94) that two of them make, with the
   /// edge where twice the travel of one of them ends.
   SurfaceSpec ridden_surface() const;

@@ -235,11 +235,11 @@ void visit(KeyVisitor &v, Bearing &b) {
   v.section("plate", [&] {
     v.number({"base_mm", "bottom plane below the vertex", assumption}, b.plate.base, milli, length_mm);
   });
-  if (v.wants(!b.double_concave())) visit_foot_and_pad(v, b);
+  if (v.wants(b.has_pad())) visit_foot_and_pad(v, b);
   v.section("material", [&] {
     v.section("steel", [&] { visit_steel(v, b.steel); });
     visit_part_steels(v, b);
-    if (v.wants(!b.double_concave())) v.section("ertalyte", [&] { visit(v, b.ertalyte); });
+    if (v.wants(b.has_pad())) v.section("ertalyte", [&] { visit(v, b.ertalyte); });
   });
   v.section("contact", [&] { visit(v, b.contact); });
 }

@@ -14,19 +14,19 @@ const std::vector<std::string> &stack_keys() {
 }
 
 double pad_elastic_slip(const Bearing &bearing, double normal_force, double mu) {
-  if (bearing.double_concave()) return 0; // no pad
+  if (!bearing.has_pad()) return 0;
   const Material &pad = bearing.ertalyte;
   return mu * normal_force * bearing.pad.thickness / (pad.E / (2 * (1 + pad.nu)) * bearing.pad_area());
 }
 
 double pad_stiffness(const Bearing &bearing) {
-  if (bearing.double_concave())
+  if (!bearing.has_pad())
     return bearing.steel.E * std::numbers::pi * std::pow(bearing.slider.diameter / 2, 2) / bearing.slider.height;
   return bearing.ertalyte.E * bearing.pad_area() / bearing.pad.thickness;
 }
 
 double pad_retardation(const Scene &scene) {
-  if (scene.bearing.double_concave()) return 0;
+  if (!scene.bearing.has_pad()) return 0;
   return scene.bearing.pad.loss_factor * std::sqrt(scene.load.mass / pad_stiffness(scene.bearing));
 }
 
@@ -53,7 +53,7 @@ TakenTerms adopt_stack_terms(TomlFile &file, const StackTerms &terms, bool calib
 void leave_out_what_does_not_fit(Scene &scene) {
   ReducedSettings &r = scene.reduced;
   if (r.normal_force == NormalForce::pad &&
-      (r.friction != Friction::park_wen || scene.superstructure.any() || scene.bearing.double_concave()))
+      (r.friction != Friction::park_wen || scene.superstructure.any() || !scene.bearing.has_pad()))
     r.normal_force = NormalForce::inertia; // the pad's spring is for a rigid mass on friction with an elastic slip
   if (!r.finite_pad && !r.socket_friction) return;
   try {

@@ -82,7 +82,7 @@ void name_sources(const Calibration &c, Answer &answer, const std::vector<LawErr
 /// none.
 std::optional<AnswerStack> answer_stack(const Answer &answer) {
   const scene::Scene &s = answer.scene;
-  if (answer.sources == std::set{RunSource::reduced_model} || s.bearing.double_concave()) return {};
+  if (answer.sources == std::set{RunSource::reduced_model} || !s.bearing.has_pad()) return {};
   const bool on_spring = answer.rungs.size() == 1 && answer.rungs.front() == word(scene::Rung::rim);
   const auto &result = answer.law.result;
   if (result.parameters.count("elastic_slip") + result.fixed.count("elastic_slip") > 0)

@@ -72,7 +72,7 @@ std::optional<double> full_face_travel(const scene::Bearing &bearing) {
 } // namespace
 
 void add_pad_note(Plan &plan, const scene::Scene &scene) {
-  if (scene.bearing.double_concave()) return;
+  if (!scene.bearing.has_pad()) return;
   if (const auto reason = unfit_stack(scene.bearing)) {
     plan.notes.push_back("pad and foot are left out of these notes, rung `rim` needs neither: " + *reason);
     return;

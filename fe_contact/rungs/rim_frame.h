@@ -32,7 +32,7 @@ struct RimFrame {
     frame.dishes = bearing.dishes();
     frame.reach = R / (R - bearing.slider.height / 2);
     frame.turn = std::asin(bearing.slider.diameter / (2 * R));
-    if (level) frame.turn += bearing.slider_tilt(frame.lateral_capacity);
+    if (level) frame.turn += scene::tilt(bearing, frame.lateral_capacity);
     return frame;
   }
 

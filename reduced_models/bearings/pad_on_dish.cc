@@ -85,7 +85,7 @@ double socket_arm(const scene::Bearing &bearing) {
 }
 
 void add_stack_terms(scene::Scene &scene) {
-  if (scene.bearing.double_concave()) return; // its slider has neither pad nor socket
+  if (!scene.bearing.has_pad()) return;
   auto &r = scene.reduced;
   r.finite_pad = r.socket_friction = true;
   const double slip = scene::pad_elastic_slip(scene.bearing, scene.load.vertical, r.mu_fast);

@@ -183,7 +183,7 @@ TEST(GradedLines, HitTheAnchorsAndFollowTheSizes) {
 
 /// What the tilt about the dish's centre makes of a node, undone: from the dish's centre, out and down.
 Eigen::Vector3d upright(const std::array<double, 3> &node, const scene::Bearing &b) {
-  const double theta = b.slider_tilt(b.lateral_capacity()), x = node[0], down = b.surface.R0 - node[2];
+  const double theta = scene::tilt(b, b.lateral_capacity()), x = node[0], down = b.surface.R0 - node[2];
   return {x * std::cos(theta) - down * std::sin(theta), node[1], x * std::sin(theta) + down * std::cos(theta)};
 }
 
@@ -208,7 +208,7 @@ TEST(RimMesh, ASliderBetweenTwoDishesStandsTiltedAtTheWall) {
       }
     // Nodes of the rounding stand beside the very point of touch.
     EXPECT_LT(farthest, b.wall_radius() + 1e-9);
-    EXPECT_GT(farthest, b.wall_radius() - 0.5 * b.slider.edge_radius * std::pow(b.slider_tilt(0.3), 2));
+    EXPECT_GT(farthest, b.wall_radius() - 0.5 * b.slider.edge_radius * std::pow(scene::tilt(b, 0.3), 2));
   }
 }
 

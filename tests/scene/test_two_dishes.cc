@@ -42,7 +42,7 @@ TEST(TwoDishes, TheEdgeMeetsTheWallAtTheCapacity) {
     for (const double ledge : {0.0, 0.01}) {
       Bearing b = two_dishes();
       b.slider.edge_radius = edge, b.rim.ledge = ledge;
-      const double C = b.lateral_capacity(), theta = b.slider_tilt(C);
+      const double C = b.lateral_capacity(), theta = tilt(b, C);
       EXPECT_NEAR(reach(outline(b), theta), b.wall_radius(), 1e-8) << edge << " " << ledge;
       EXPECT_NEAR(C, (2 * b.surface.R0 - b.slider.height) * std::sin(theta), 1e-12);
     }
@@ -62,15 +62,16 @@ TEST(TwoDishes, ASharpEdgeGivesTheRigidModelsRim) {
 
 TEST(TwoDishes, TheTiltIsTheRiddenSpheresSlope) {
   const Bearing b = two_dishes();
-  for (const double travel : {0.05, 0.15, 0.3}) EXPECT_NEAR(tilt(b, travel), b.slider_tilt(travel), 1e-12);
+  for (const double travel : {0.05, 0.15, 0.3})
+    EXPECT_NEAR(tilt(b, travel), std::asin(travel / (2 * b.surface.R0 - b.slider.height)), 1e-12);
   // What is carried rises twice as far as the slider's middle, which turns about the dish's centre.
-  const double arm = b.surface.R0 - b.slider.height / 2, theta = b.slider_tilt(0.3);
+  const double arm = b.surface.R0 - b.slider.height / 2, theta = tilt(b, 0.3);
   EXPECT_NEAR(lift(b, 0.3), 2 * arm * (1 - std::cos(theta)), 1e-12);
 }
 
 TEST(TwoDishes, TheEdgesHeightAtTouchIsThatOfItsLowestPoint) {
   const Bearing b = two_dishes();
-  const double theta = b.slider_tilt(b.lateral_capacity()), R = b.surface.R0, e = b.slider.edge_radius;
+  const double theta = tilt(b, b.lateral_capacity()), R = b.surface.R0, e = b.slider.edge_radius;
   double lowest = 1;
   for (int i = 0; i <= 20000; ++i) { // the rounding as a whole circle: its lowest point may lie on the face's side
     const double angle = 2 * std::numbers::pi * i / 20000, out = b.slider.diameter / 2 - e + e * std::cos(angle),
