@@ -34,13 +34,15 @@ install_missing() {
 # python_environments NAME ...: build/NAME holds what tests/NAME/requirements.txt pins, from PyPI. Tests that miss it are
 # skipped by name; nothing of the product needs it.
 python_environments() {
-  local name
+  local name system
   for name in "$@"; do
+    system="" # build/python sees the system's NumPy, for which the compiled module of rimpact is made
+    [ "$name" = python ] && system=--system-site-packages
     cmp -s "tests/$name/requirements.txt" "build/$name/installed.txt" && continue
     say "Installing tests/$name/requirements.txt from PyPI into build/$name"
     mkdir -p build && rm -rf "build/$name"
     {
-      /usr/bin/python3 -m venv "build/$name" &&
+      /usr/bin/python3 -m venv $system "build/$name" &&
         "build/$name/bin/pip" install --timeout 15 --retries 1 -r "tests/$name/requirements.txt" &&
         cp "tests/$name/requirements.txt" "build/$name/installed.txt"
     } >"build/$name.log" 2>&1 && continue

@@ -4,6 +4,7 @@
 #include "io/files/text.h"
 #include "meshes/gmsh_session.h"
 #include "meshes/hex_mesh.h"
+#include "meshes/joined_bodies.h"
 #include <algorithm>
 #include <fmt/format.h>
 #include <set>
@@ -70,6 +71,21 @@ GmshGroups::GmshGroups(const scene::OwnMesh &own) : own_(own), entities_(scene::
 std::string GmshGroups::name(std::size_t group) const {
   const std::string ours = scene::mesh_group_names[group];
   return own_.groups[group].empty() ? ours : fmt::format("{} ({})", ours, own_.groups[group]);
+}
+
+void GmshGroups::join(std::size_t one, std::size_t other) {
+  const auto became = join_bodies(entities_[one], entities_[other]);
+  for (std::size_t k = n_volumes; k < entities_.size(); ++k) {
+    std::vector<int> now;
+    for (const int surface : entities_[k]) {
+      const auto parts = became.find(surface);
+      if (parts == became.end())
+        now.push_back(surface);
+      else
+        now.insert(now.end(), parts->second.begin(), parts->second.end());
+    }
+    entities_[k] = std::move(now);
+  }
 }
 
 /// A body nobody named would be left out without a word.

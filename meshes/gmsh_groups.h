@@ -16,6 +16,8 @@ public:
   explicit GmshGroups(const scene::OwnMesh &own);
   const std::vector<int> &entities(std::size_t group) const { return entities_[group]; } ///< none: the file has it not
   std::string name(std::size_t group) const; ///< with the file's name for it
+  /// Two bodies that are one piece, by their groups, get a common face where they lie on one another (joined_bodies.h).
+  void join(std::size_t one, std::size_t other);
 
 private:
   void refuse_unclaimed(const NamedEntities &volumes) const;

@@ -15,7 +15,7 @@ namespace {
 
 namespace mesh = gmsh::model::mesh;
 /// gmsh's numbers of element types.
-constexpr int triangle3 = 2, quadrangle4 = 3, tetrahedron4 = 4, quadrangle9 = 10, quadrangle8 = 16;
+constexpr int triangle3 = 2, quadrangle4 = 3, tetrahedron4 = 4, quadrangle9 = 10, tetrahedron10 = 11, quadrangle8 = 16;
 
 [[noreturn]] void fail(const scene::OwnMesh &own, const std::string &what) {
   throw DataError(fmt::format("{}: {}", own.file, what));
@@ -60,7 +60,8 @@ void mesh_geometry(const scene::OwnMesh &own, const std::vector<std::array<doubl
 
 class Reader {
 public:
-  explicit Reader(const scene::OwnMesh &own) : own_(own), groups_(own), complete_(drawn_.mesh), divide_(drawn_.mesh) {}
+  Reader(const scene::OwnMesh &own, const GmshGroups &groups)
+      : own_(own), groups_(groups), complete_(drawn_.mesh), divide_(drawn_.mesh) {}
   DrawnMesh read() {
     read_nodes();
     for (std::size_t k = 0; k < n_volumes; ++k)
@@ -87,6 +88,12 @@ private:
     for (std::size_t t = 0; t < elements.types.size(); ++t) {
       const int type = elements.types[t];
       const std::size_t n = type == tetrahedron4 ? 4 : nodes_of_hexahedron(type);
+      if (type == tetrahedron10)
+        fail(own_,
+             fmt::format("group '{}' holds {} tetrahedra of 10 nodes, for which there is no element here: save them "
+                         "with 4 (gmsh: Mesh.ElementOrder = 1); each becomes four hexahedra of 27 nodes, which are "
+                         "of second order and follow the bearing's walls",
+                         groups_.name(group), elements.tags[t].size()));
       if (n == 0)
         fail(own_,
              fmt::format(
@@ -147,7 +154,7 @@ private:
   }
 
   const scene::OwnMesh &own_;
-  const GmshGroups groups_;
+  const GmshGroups &groups_;
   DrawnMesh drawn_;
   CellNodes complete_;
   TetrahedraDivision divide_;
@@ -157,14 +164,19 @@ private:
 
 } // namespace
 
-DrawnMesh read_mesh(const scene::OwnMesh &own, const std::string &path,
-                    const std::vector<std::array<double, 3>> &fine_at) {
+DrawnMesh read_mesh(const scene::OwnMesh &own, const std::string &path, const DrawingUse &use) {
   const GmshSession session;
   try {
     gmsh::model::add("drawn");
     gmsh::merge(path);
-    mesh_geometry(own, fine_at);
-    return Reader(own).read();
+    GmshGroups groups(own);
+    const auto number = [](Volume body) {
+      return static_cast<std::size_t>(body) - static_cast<std::size_t>(Volume::plate);
+    };
+    groups.join(number(Volume::plate), number(Volume::rim));
+    if (use.pad_is_tied) groups.join(number(Volume::pad), number(Volume::foot));
+    mesh_geometry(own, use.fine_at);
+    return Reader(own, groups).read();
   } catch (const std::string &message) { // what gmsh 4.8 throws
     fail(own, "gmsh cannot read or mesh it: " + message);
   }

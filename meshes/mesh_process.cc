@@ -1,8 +1,10 @@
 #include "meshes/mesh_process.h"
 
 #include "io/files/error.h"
+#include "meshes/gmsh_session.h"
 #include "meshes/mesh_kind.h"
 #include "meshes/sandbox.h"
+#include "meshes/surface_list.h"
 #include <algorithm>
 #include <climits>
 #include <csignal>
@@ -20,9 +22,14 @@ namespace {
 
 using nlohmann::json;
 
-json request(const scene::OwnMesh &own, const std::vector<std::array<double, 3>> &fine_at) {
-  return {{"file", own.file},     {"unit", own.unit},  {"size", own.size}, {"contact_size", own.contact_size},
-          {"groups", own.groups}, {"fine_at", fine_at}};
+json request(const scene::OwnMesh &own, const DrawingUse &use) {
+  return {{"file", own.file},
+          {"unit", own.unit},
+          {"size", own.size},
+          {"contact_size", own.contact_size},
+          {"groups", own.groups},
+          {"fine_at", use.fine_at},
+          {"pad_is_tied", use.pad_is_tied}};
 }
 
 scene::OwnMesh own_of(const json &r) {
@@ -30,6 +37,12 @@ scene::OwnMesh own_of(const json &r) {
   r.at("file").get_to(own.file), r.at("unit").get_to(own.unit), r.at("groups").get_to(own.groups);
   r.at("size").get_to(own.size), r.at("contact_size").get_to(own.contact_size);
   return own;
+}
+
+DrawingUse use_of(const json &r) {
+  DrawingUse use;
+  r.at("fine_at").get_to(use.fine_at), r.at("pad_is_tied").get_to(use.pad_is_tied);
+  return use;
 }
 
 /// Arrays of numbers as their bytes: both ends run on one machine.
@@ -141,17 +154,15 @@ std::string ending_of(int status) {
   return fmt::format("ended without an answer (exit code {})", WEXITSTATUS(status));
 }
 
-} // namespace
-
-DrawnMesh read_mesh_apart(const scene::OwnMesh &own, const std::vector<std::array<double, 3>> &fine_at) {
-  const auto fail = [&](const std::string &what) { throw DataError(fmt::format("{}: {}", own.file, what)); };
-  if (!std::filesystem::exists(own.file)) fail("no such mesh file (model.own_mesh.file)");
-  require_safe(own.file);
+/// What rimpact-gmsh answers of a file.
+json answer_of(const std::string &file, json asked) {
+  const auto fail = [&](const std::string &what) { throw DataError(fmt::format("{}: {}", file, what)); };
+  if (!std::filesystem::exists(file)) fail("no such mesh file (model.own_mesh.file)");
+  require_safe(file);
   Pipe to, from;
   const pid_t process = spawn(to, from);
   to.shut(0), from.shut(1);
-  const Alias alias(own.file);
-  json asked = request(own, fine_at);
+  const Alias alias(file);
   asked["path"] = alias.path();
   write_all(to.ends[1], json::to_cbor(asked));
   to.shut(1);
@@ -159,10 +170,34 @@ DrawnMesh read_mesh_apart(const scene::OwnMesh &own, const std::vector<std::arra
   int status = 0;
   while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
   }
-  const json answer = json::from_cbor(bytes, true, false);
+  json answer = json::from_cbor(bytes, true, false);
   if (!answer.is_object()) fail("the mesh reader " + ending_of(status) + ": the file cannot be read or meshed");
   if (answer.contains("error")) throw DataError(answer["error"].get<std::string>());
-  return unpacked(answer);
+  return answer;
+}
+
+/// Of a file that is only looked at.
+json listed(const std::string &path, const std::string &file) {
+  const GmshSession session;
+  try {
+    gmsh::model::add("drawn");
+    gmsh::merge(path);
+    return {{"bodies", surfaces_of_model()}};
+  } catch (const std::string &message) { // what gmsh 4.8 throws
+    throw DataError(fmt::format("{}: gmsh cannot read it: {}", file, message));
+  }
+}
+
+} // namespace
+
+DrawnMesh read_mesh_apart(const scene::OwnMesh &own, const DrawingUse &use) {
+  return unpacked(answer_of(own.file, request(own, use)));
+}
+
+json list_surfaces(const std::string &file) {
+  json asked = request({.file = file, .groups = {}}, {});
+  asked["list"] = true;
+  return answer_of(file, std::move(asked))["bodies"];
 }
 
 int serve_mesh(int input, int output) {
@@ -175,8 +210,10 @@ int serve_mesh(int input, int output) {
                         static_cast<unsigned long>(sysconf(_SC_PAGESIZE)) / 4;
     if (!confine(cpu_seconds, memory) && script)
       throw DataError(own.file + ": this system cannot confine a script (no seccomp); save it as .msh in gmsh");
-    write_all(output,
-              packed(read_mesh(own, asked.at("path"), asked.at("fine_at").get<std::vector<std::array<double, 3>>>())));
+    if (asked.contains("list"))
+      write_all(output, json::to_cbor(listed(asked.at("path"), own.file)));
+    else
+      write_all(output, packed(read_mesh(own, asked.at("path"), use_of(asked))));
     return 0;
   } catch (const std::exception &error) {
     write_all(output, json::to_cbor({{"error", error.what()}}));

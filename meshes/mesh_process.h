@@ -7,7 +7,7 @@ namespace rimpact::meshes {
 /// As read_mesh(), in a process apart. Throws DataError as that does, for a script that is not allowed (mesh_kind.h),
 /// and with the signal's name where the reader dies of the file; IoError when rimpact-gmsh does not lie beside this
 /// program.
-DrawnMesh read_mesh_apart(const scene::OwnMesh &own, const std::vector<std::array<double, 3>> &fine_at);
+DrawnMesh read_mesh_apart(const scene::OwnMesh &own, const DrawingUse &use);
 
 /// What rimpact-gmsh does: a request from `input`, its answer to `output` (file descriptors). Returns its exit code.
 int serve_mesh(int input, int output);

@@ -159,7 +159,8 @@ std::vector<std::array<double, 3>> contact_places(const scene::Bearing &bearing)
 } // namespace
 
 HexMesh own_mesh(const scene::OwnMesh &own, const scene::Bearing &bearing, const OwnMeshNeed &need) {
-  const DrawnMesh read = read_mesh_apart(own, contact_places(bearing));
+  const DrawnMesh read =
+      read_mesh_apart(own, {.fine_at = contact_places(bearing), .pad_is_tied = !bearing.pad_is_seated()});
   const Drawn drawn{only(read.mesh, need.bodies), own.file};
   check_groups(drawn, need);
   check_unit(drawn, own, bearing);

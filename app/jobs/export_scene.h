@@ -9,7 +9,7 @@ namespace rimpact::app {
 struct ExportOptions {
   std::string folder, out, law, scene;
   std::optional<double> mass, load; ///< [kg], [kN]
-  bool opensees = false, sap2000 = false, etabs = false, csv = false;
+  bool opensees = false, sap2000 = false, etabs = false, csv = false, dxf = false;
   bool anyway = false; ///< the whole bearing also where its self-check refuses it
 };
 

@@ -13,6 +13,7 @@
 #include "io/files/file.h"
 #include "io/files/json_text.h"
 #include "responses/build_version.h"
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -107,9 +108,33 @@ Proof proof_of(const Job &job, const VaryPoint &predicted, Console &console) {
   return {std::move(said), std::move(sentence)};
 }
 
+/// On the wall of the rim that was pushed nearest to the answer; none: no force is asked for.
+std::optional<calibration::LinerAnswer> liner_of(const VaryOptions &options, const VaryQuestion &question,
+                                                 const std::vector<VaryPoint> &points, const VaryAnswer &answer,
+                                                 const Console &console) {
+  if (!answer.design || !question.targets.contains("peak_kN")) return {};
+  const auto distance = [&](const VaryPoint &point) {
+    double sum = 0;
+    for (std::size_t j = 0; j < point.at.size(); ++j) sum += std::abs(std::log(point.at[j] / (*answer.design)[j]));
+    return sum;
+  };
+  const auto &nearest = *std::min_element(points.begin(), points.end(),
+                                          [&](const auto &a, const auto &b) { return distance(a) < distance(b); });
+  return calibration::liner_answer(question, nearest, window_at(options, question, nearest.at, console).bearing,
+                                   options.crush_share);
+}
+
+/// What is said at the end, each part where there is one.
+struct Said {
+  const VaryAnswer &answer;
+  std::optional<calibration::LinerAnswer> liner;
+  std::optional<Proof> proof;
+};
+
 void write_answer(const GivenCase &given, const VaryQuestion &question, const std::vector<VaryPoint> &points,
-                  const VaryAnswer &answer, const std::optional<Proof> &proof, const std::vector<CurveJob> &jobs,
-                  const std::string &folder, Console &console) {
+                  const Said &all, const std::vector<CurveJob> &jobs, const VaryOptions &options, Console &console) {
+  const auto &[answer, liner, proof] = all;
+  const std::string &folder = options.folder;
   json said = calibration::to_json(points, question);
   said["bearing"] = given.bearing_json(), said["load"] = given.load_json(), said["warnings"] = console.warnings();
   said["command"] = console.command(), said["made_by"] = build_version();
@@ -123,7 +148,8 @@ void write_answer(const GivenCase &given, const VaryQuestion &question, const st
                     {"force_error", answer.force_error},
                     {"sentence", answer.sentence},
                     {"proof", proof ? proof->said : json()}};
-  std::string sentence = answer.sentence + (proof ? " " + proof->sentence : "");
+  said["liner"] = liner ? calibration::to_json(*liner, options.crush_share) : json();
+  std::string sentence = answer.sentence + (proof ? " " + proof->sentence : "") + (liner ? " " + liner->sentence : "");
   for (const auto &job : jobs)
     if (!job.failure.empty()) sentence += fmt::format(" {} has no result.", job.name);
   said["sentence"] = sentence;
@@ -182,7 +208,8 @@ void run_vary(const VaryOptions &options, Console &console) {
     JobRunner(solid, console, 1).run();
     proof = proof_of(solid[0], *answer.predicted, console);
   }
-  write_answer(given, question, points, answer, proof, own, options.folder, console);
+  write_answer(given, question, points, {answer, liner_of(options, question, points, answer, console), proof}, own,
+               options, console);
   require_pushed(own);
 }
 

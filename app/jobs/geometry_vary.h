@@ -2,6 +2,7 @@
 #pragma once
 #include "app/jobs/time_to_go.h"
 #include "app/jobs/vary_question.h"
+#include "calibration/studies/liner_answer.h"
 
 namespace rimpact::app {
 
@@ -10,6 +11,7 @@ struct VaryOptions {
   std::string where, folder, shard; ///< bearing, scene or case; results; I/N
   std::size_t jobs = 0;             ///< side by side; 0: as many as there are cores
   bool dry_run = false, no_proof = false;
+  double crush_share = calibration::usual_crush_share; ///< of a liner (calibration/studies/liner.h)
 };
 void run_vary(const VaryOptions &options, Console &console);
 

@@ -35,7 +35,7 @@ std::string default_fleet_folder(const std::string &name, const std::string &swe
 }
 
 void warn_of_limits(const fleets::FleetResult &result, Console &console) {
-  for (const auto &doubt : result.hits.doubts()) console.warn(doubt);
+  for (const auto &doubt : result.doubts()) console.warn(doubt);
   if (result.beyond_rim.value_or(0) > 0)
     console.warn(fmt::format(
         "{} of {} runs went deeper into the rim than it is thick: such a rim has failed (column beyond_rim)",

@@ -12,7 +12,8 @@ inline constexpr VerbText text_of_curve{
 inline constexpr VerbText text_of_mesh{
     .name = "mesh",
     .help = "mesh the rim sector and the slider of a bearing",
-    .examples = "rimpact mesh shfps-225 -o bearing.msh --png\nrimpact mesh my-case/bearing.toml --mesh 2 -o fine.msh",
+    .examples = "rimpact mesh shfps-225 -o bearing.msh --png\nrimpact mesh my-case/bearing.toml --mesh 2 -o fine.msh\n"
+                "rimpact mesh --surfaces drawn.step",
     .next = "gmsh FILE shows it; rimpact run SCENE makes its own"};
 inline constexpr VerbText text_of_run{.name = "run",
                                       .help = "run a scene by finite elements",

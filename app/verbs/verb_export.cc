@@ -1,11 +1,13 @@
-// rimpact export DIR --opensees|--sap2000|--etabs|--csv: a calibrated rim, and its bearing, for other programs.
+// rimpact export DIR --opensees|--sap2000|--etabs|--csv|--dxf: a calibrated rim, and its bearing, for other programs.
 #include "app/jobs/export_building.h"
 #include "app/jobs/export_scene.h"
+#include "app/jobs/export_section.h"
 #include "app/verbs/catalogue.h"
 #include "calibration/export/comment.h"
 #include "calibration/export/csi.h"
 #include "calibration/export/law_csv.h"
 #include "calibration/export/opensees.h"
+#include "calibration/export/section_dxf.h"
 #include "calibration/export/self_check_text.h"
 #include "io/files/file.h"
 #include "responses/build_version.h"
@@ -26,11 +28,11 @@ using calibration::PulseCheck;
 using calibration::SelfCheck;
 using nlohmann::json;
 
-/// The folder that holds calibration.json: DIR itself, or the one a `main` leaves in it.
+/// The folder that holds calibration.json: DIR itself, or the one a `main` leaves in it. Empty: neither does.
 std::string calibration_folder(const std::string &folder) {
   for (const auto &path : {fs::path(folder), fs::path(folder) / "calibration"})
     if (fs::exists(path / "calibration.json")) return path.string();
-  throw DataError(folder + ": no calibration.json in it; run `rimpact calibrate` first");
+  return "";
 }
 
 json read_calibration(const std::string &folder) {
@@ -108,6 +110,11 @@ void add_csi(Exported &out) {
   out.checks.push_back(links.check);
 }
 
+void add_dxf(Exported &out) {
+  if (!out.bearing) throw InputError("--dxf: the bearing is not known here. Give it with --scene SCENE_OR_BEARING.");
+  out.files.emplace_back("section.dxf", calibration::section_dxf(out.bearing->scene.bearing, out.head));
+}
+
 void write(const Exported &out, json table) {
   const auto &[options, console] = std::tie(out.options, out.console);
   std::error_code failure;
@@ -157,6 +164,7 @@ void export_to(const ExportOptions &options, const json &calibration, Console &c
   if (options.opensees) add_opensees(out);
   if (options.sap2000 || options.etabs) add_csi(out);
   if (options.csv) out.files.emplace_back("law.csv", calibration::law_csv(rim, head));
+  if (options.dxf) add_dxf(out);
   const bool whole = bearing && std::all_of(out.checks.begin(), out.checks.end(),
                                             [](const auto &check) { return check.pulses && check.pulses->written; });
   const json table = {{"law", rim.law().name},
@@ -180,16 +188,20 @@ void export_twin(ExportOptions options, const std::string &twin, Console &consol
 }
 
 void run_export(ExportOptions options, Console &console) {
-  if (!(options.opensees || options.sap2000 || options.etabs || options.csv))
-    throw InputError("export: say for what, one or more of --opensees, --sap2000, --etabs, --csv");
+  if (!(options.opensees || options.sap2000 || options.etabs || options.csv || options.dxf))
+    throw InputError("export: say for what, one or more of --opensees, --sap2000, --etabs, --csv, --dxf");
   if (is_building_folder(options.folder)) {
-    if (options.sap2000 || options.etabs || options.csv || !options.law.empty() || options.mass || options.load ||
-        !options.scene.empty())
+    if (options.sap2000 || options.etabs || options.csv || options.dxf || !options.law.empty() || options.mass ||
+        options.load || !options.scene.empty())
       throw InputError("export: of a building's run only its bearings for --opensees, under their own weights");
     return export_building_bearings(options.folder, options.out.empty() ? options.folder : options.out, header(console),
                                     console);
   }
-  options.folder = calibration_folder(options.folder);
+  const std::string calibration = calibration_folder(options.folder);
+  if (calibration.empty() && options.dxf) return export_section(options, header(console), console);
+  if (calibration.empty())
+    throw DataError(options.folder + ": no calibration.json in it; run `rimpact calibrate` first");
+  options.folder = calibration;
   if (options.out.empty()) options.out = options.folder;
   try {
     export_to(options, read_calibration(options.folder), console);
@@ -200,13 +212,16 @@ void run_export(ExportOptions options, Console &console) {
 
 void add_export(CLI::App &verb, Console &console) {
   auto options = std::make_shared<ExportOptions>();
-  verb.add_option("DIR", options->folder, "folder of a calibration, or of a run of rimpact building (--opensees)")
+  verb.add_option("DIR", options->folder,
+                  "folder of a calibration, or of a run of rimpact building (--opensees); for --dxf alone a bearing, "
+                  "scene or case folder too")
       ->required();
   verb.add_option("-o,--output", options->out, "folder to write into; default: where calibration.json lies");
   verb.add_flag("--opensees", options->opensees, "impact.tcl and impact.py: friction pendulum and rim");
   verb.add_flag("--sap2000", options->sap2000, "bearing.s2k: link properties, and rim-link.csv to paste");
   verb.add_flag("--etabs", options->etabs, "bearing.e2k: link properties, and rim-link.csv to paste");
   verb.add_flag("--csv", options->csv, "law.csv: force over penetration, loading and unloading from five depths");
+  verb.add_flag("--dxf", options->dxf, "section.dxf: the bearing's section as drawn, in mm");
   verb.add_option("--law", options->law,
                   "another of the ranked laws, or \"pair\": the constant pair; default: the calibration's answer");
   verb.add_option("--mass", options->mass,
@@ -226,7 +241,8 @@ void add_export(CLI::App &verb, Console &console) {
 
 const Verb export_verb{{.name = "export",
                         .help = "a calibrated bearing for other programs",
-                        .examples = "rimpact export results/main/calibration --opensees --csv -o for-opensees",
+                        .examples = "rimpact export results/main/calibration --opensees --csv -o for-opensees\n"
+                                    "rimpact export shfps-225 --dxf -o drawing",
                         .next = "check the first analysis against the self-check's table"},
                        add_export};
 

@@ -28,6 +28,7 @@ struct GeometryOptions {
   std::vector<double> pair; ///< k_i, e; empty: none is wanted
   std::size_t jobs = 0;     ///< side by side; 0: as many as there are cores
   bool dry_run = false, no_proof = false;
+  double crush_share = calibration::usual_crush_share;
   calibration::GeometryOptions study;
   VaryWords vary;
 };
@@ -120,6 +121,10 @@ void run_geometry(GeometryOptions options, Console &console) {
 /// --vary asks another question than the samples do, whose options it does not read.
 void answer(const GeometryOptions &options, const CLI::App &verb, Console &console) {
   if (console.mesh >= 0) console.overrides.push_back(fmt::format("model.mesh={}", console.mesh));
+  const bool wants_force = std::any_of(options.vary.targets.begin(), options.vary.targets.end(),
+                                       [](const auto &word) { return word.starts_with("peak_kN="); });
+  if (verb.count("--crush") > 0 && !(wants_force && !options.vary.vary.empty()))
+    throw InputError("--crush belongs to --vary with --target peak_kN=MOST, which a liner may keep");
   if (options.vary.vary.empty()) return run_geometry(options, console);
   for (const char *other : {"--samples", "--range", "--pair", "--strain-limit"})
     if (verb.count(other) > 0)
@@ -133,8 +138,27 @@ void answer(const GeometryOptions &options, const CLI::App &verb, Console &conso
             .shard = options.shard,
             .jobs = options.jobs,
             .dry_run = options.dry_run,
-            .no_proof = options.no_proof},
+            .no_proof = options.no_proof,
+            .crush_share = options.crush_share},
            console);
+}
+
+/// Of the question by rim curves.
+void add_vary(CLI::App &verb, GeometryOptions &options) {
+  verb.add_option("--vary", options.vary.vary,
+                  "KEY=LOW:HIGH[:N] of a bearing's key, as rim.thickness_mm=20:80: N (3) rims are pushed; repeatable")
+      ->allow_extra_args(false);
+  verb.add_option("--at", options.vary.at, "speed=V: the speed of approach that --vary asks at [m/s]")
+      ->allow_extra_args(false);
+  verb.add_option("--target", options.vary.targets,
+                  "NAME=MOST of peak_kN, depth_mm, rebound_m_per_s, strain, rim_foot_use: which of the rims of --vary "
+                  "meets it; repeatable")
+      ->allow_extra_args(false);
+  verb.add_flag("--no-proof", options.no_proof, "without the solid run of the rim that --vary answers with");
+  verb.add_option("--crush", options.crush_share,
+                  "share of a sacrificial liner's thickness that crushes at its stress, of --target peak_kN")
+      ->capture_default_str()
+      ->check(CLI::Range(0.01, 1.0));
 }
 
 void add_geometry(CLI::App &verb, Console &console) {
@@ -143,16 +167,7 @@ void add_geometry(CLI::App &verb, Console &console) {
                   "a bearing, scene or case folder: built-in or a TOML file; a scene's load and settings are taken")
       ->capture_default_str();
   verb.add_option("-o,--output", options->folder, "results folder")->capture_default_str();
-  verb.add_option("--vary", options->vary.vary,
-                  "KEY=LOW:HIGH[:N] of a bearing's key, as rim.thickness_mm=20:80: N (3) rims are pushed; repeatable")
-      ->allow_extra_args(false);
-  verb.add_option("--at", options->vary.at, "speed=V: the speed of approach that --vary asks at [m/s]")
-      ->allow_extra_args(false);
-  verb.add_option("--target", options->vary.targets,
-                  "NAME=MOST of peak_kN, depth_mm, rebound_m_per_s, strain, rim_foot_use: which of the rims of --vary "
-                  "meets it; repeatable")
-      ->allow_extra_args(false);
-  verb.add_flag("--no-proof", options->no_proof, "without the solid run of the rim that --vary answers with");
+  add_vary(verb, *options);
   verb.add_option("--mesh", console.mesh, "1 | 2 | 3: finer and more expensive")->check(CLI::Range(0, 3));
   verb.add_option("--jobs", options->jobs, "runs side by side (default: one a core)")->check(CLI::Range(1, 64));
   verb.add_flag("--dry-run", options->dry_run, "list the runs and the time they take, and stop");

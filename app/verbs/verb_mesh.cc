@@ -8,6 +8,7 @@
 #include "fe_contact/drive/run.h"
 #include "io/files/json_text.h"
 #include "meshes/rim_mesh.h"
+#include "meshes/surface_list.h"
 #include "responses/identity.h"
 #include "scene/scene.h"
 #include <filesystem>
@@ -18,7 +19,7 @@ namespace rimpact::app {
 namespace {
 
 struct MeshOptions {
-  std::string bearing, scene, file, picture;
+  std::string bearing, scene, file, picture, listed;
   bool whole = false, curved = false;
 };
 
@@ -59,12 +60,45 @@ meshes::HexMesh scene_mesh(const MeshOptions &options, scene::Scene &scene, Cons
   return fe::mesh_of(scene, planning::make_plan(scene));
 }
 
+/// Which surface of a drawing is which.
+void list_drawing(const MeshOptions &options, Console &console) {
+  if (!options.bearing.empty() || !options.scene.empty() || !options.file.empty() || !options.picture.empty())
+    throw InputError("--surfaces lists a drawing and makes no mesh: it goes with no bearing, --scene, -o or --png");
+  const auto bodies = meshes::list_surfaces(options.listed);
+  console.data(console.json ? json_text(bodies) : meshes::describe_surfaces(bodies));
+}
+
+void make_mesh(const MeshOptions &options, Console &console) {
+  if (options.file.empty()) throw InputError("mesh needs -o FILE.msh, or --surfaces FILE to list a drawing");
+  if (!console.calibration.empty()) throw InputError("--calibration: a mesh has no impact element");
+  std::error_code none;
+  for (const auto &input : {options.bearing, options.scene})
+    if (std::filesystem::equivalent(input, options.file, none))
+      throw InputError("-o " + options.file + " would replace what is meshed; choose another file");
+  scene::Scene scene;
+  const bool of_bearing = options.scene.empty();
+  const auto mesh = of_bearing ? rim_mesh(options, console) : scene_mesh(options, scene, console);
+  const auto q = meshes::quality(mesh);
+  meshes::write_msh(mesh, options.file, options.curved);
+  if (!options.picture.empty() && python({"report.mesh_picture", options.file, options.picture}) != 0)
+    throw IoError("the picture " + options.picture + " was not made");
+  auto table = quality_table(options.file, q);
+  if (!of_bearing) table["identity"] = to_json(identity_of(scene));
+  table["warnings"] = console.warnings();
+  console.data(console.json
+                   ? json_text(table)
+                   : fmt::format("{}: {} hexahedra, {} nodes, smallest scaled Jacobian {:.3f}, worst aspect {:.1f}\n",
+                                 options.file, q.n_cells, q.n_nodes, q.min_scaled_jacobian, q.worst_aspect));
+}
+
 void add_mesh(CLI::App &verb, Console &console) {
   auto options = std::make_shared<MeshOptions>();
   verb.add_option("BEARING", options->bearing, "a TOML file or a built-in bearing (default: shfps-225)");
   verb.add_option("--scene", options->scene,
                   "instead: what a scene's run is solved on, by any rung, own meshes included");
-  verb.add_option("-o,--output", options->file, "the .msh file to write")->required();
+  verb.add_option("-o,--output", options->file, "the .msh file to write");
+  verb.add_option("--surfaces", options->listed,
+                  "instead: list bodies and surfaces of a .step, .geo or .msh with kind, radius and centre");
   verb.add_option("--png", options->picture, "a picture of the mesh");
   verb.add_flag(
       "--curved", options->curved,
@@ -75,25 +109,7 @@ void add_mesh(CLI::App &verb, Console &console) {
   console.add_overrides(verb);
   console.add_model(verb);
   verb.callback([options, &console] {
-    if (!console.calibration.empty()) throw InputError("--calibration: a mesh has no impact element");
-    std::error_code none;
-    for (const auto &input : {options->bearing, options->scene})
-      if (std::filesystem::equivalent(input, options->file, none))
-        throw InputError("-o " + options->file + " would replace what is meshed; choose another file");
-    scene::Scene scene;
-    const bool of_bearing = options->scene.empty();
-    const auto mesh = of_bearing ? rim_mesh(*options, console) : scene_mesh(*options, scene, console);
-    const auto q = meshes::quality(mesh);
-    meshes::write_msh(mesh, options->file, options->curved);
-    if (!options->picture.empty() && python({"report.mesh_picture", options->file, options->picture}) != 0)
-      throw IoError("the picture " + options->picture + " was not made");
-    auto table = quality_table(options->file, q);
-    if (!of_bearing) table["identity"] = to_json(identity_of(scene));
-    table["warnings"] = console.warnings();
-    console.data(console.json
-                     ? json_text(table)
-                     : fmt::format("{}: {} hexahedra, {} nodes, smallest scaled Jacobian {:.3f}, worst aspect {:.1f}\n",
-                                   options->file, q.n_cells, q.n_nodes, q.min_scaled_jacobian, q.worst_aspect));
+    options->listed.empty() ? make_mesh(*options, console) : list_drawing(*options, console);
   });
 }
 

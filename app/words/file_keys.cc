@@ -65,6 +65,8 @@ std::vector<KeyDescription> sweep_keys() {
       text("linked.KEY.over", "none", "a key", "divided by it"),
       text("fractiles.along", "", "a key of the grid", "16, 50 and 84 % of the results along it: fractiles.csv"),
       text("fractiles.by", "[]", "keys of the grid", "fractiles of each group of their values apart"),
+      number("plausible.QUANTITY", "", "> 0",
+             "largest value that is believed, of a limit.quantity with values: runs beyond are doubted"),
   };
 }
 
@@ -127,7 +129,7 @@ std::vector<KeyDescription> limit_keys() {
   };
 }
 
-/// Of [p695] and [plausible].
+/// Of [p695].
 std::vector<KeyDescription> acceptance_keys() {
   using namespace risk;
   const CollapseStudy usual;
@@ -142,7 +144,6 @@ std::vector<KeyDescription> acceptance_keys() {
       text("p695.test_data", word(usual.tests), any_of<reliability::Rating>(), "quality of the test data"),
       text("p695.model", word(usual.model), any_of<reliability::Rating>(), "quality of the model"),
       text("p695.three_dimensional", "false", "true or false", "the margin times 1.2"),
-      number("plausible.QUANTITY", "", "> 0", "largest value that is believed: runs beyond are doubted"),
   };
 }
 
@@ -165,7 +166,7 @@ std::vector<FileKeys> file_keys() {
   return {
       {"sweep_keys", "Sweep files", "`KEY` stands for any scene key, or `variable.NAME`, a column only.", sweep_keys()},
       {"study_keys", "Reliability studies",
-       "Parts `case`, `device`, `grid`, `latin_hypercube` and `linked` are those of a sweep file.",
+       "Parts `case`, `device`, `grid`, `latin_hypercube`, `linked` and `plausible` are those of a sweep file.",
        study_keys() + motion_keys() + limit_keys() + acceptance_keys()},
       {"building_keys", "Buildings", "A regular building, linear in space, for `--frame`.",
        with_bearings(visited<buildings::RegularBuilding>())},

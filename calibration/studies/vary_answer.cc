@@ -87,13 +87,6 @@ std::vector<Candidate> candidates(const std::vector<VaryPoint> &points, const Va
   return all;
 }
 
-std::string named(const std::vector<double> &at, const VaryQuestion &question) {
-  std::string text;
-  for (std::size_t j = 0; j < at.size(); ++j)
-    text += fmt::format("{}{} = {:g}", j == 0 ? "" : ", ", question.keys[j].key, at[j]);
-  return text;
-}
-
 std::string limits_in_words(const VaryQuestion &question) {
   std::string text;
   for (const auto &[k, most] : limits_of(question, false))
@@ -108,7 +101,7 @@ std::string those_that_meet(const std::vector<Candidate> &all, const VaryQuestio
   std::string text;
   if (question.keys.size() > 1) {
     for (const auto &each : all)
-      if (each.meets) text += (text.empty() ? "" : "; ") + named(each.point.at, question);
+      if (each.meets) text += (text.empty() ? "" : "; ") + in_words(each.point.at, question);
     return text;
   }
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -154,12 +147,12 @@ VaryAnswer vary_answer(const std::vector<VaryPoint> &points, const VaryQuestion 
   if (!question.targets.empty()) {
     const std::string meeting = those_that_meet(all, question);
     answer.sentence = meeting.empty() ? fmt::format("{}, no rim of the range meets {}; the nearest is {}", where,
-                                                    limits_in_words(question), named(best.point.at, question))
+                                                    limits_in_words(question), in_words(best.point.at, question))
                                       : fmt::format("{}, {} is met by {}; take {}{}", where, limits_in_words(question),
-                                                    meeting, named(best.point.at, question),
+                                                    meeting, in_words(best.point.at, question),
                                                     best.meets_surely ? "" : ", which meets it by less than the error");
   } else
-    answer.sentence = fmt::format("{}, {}", where, named(best.point.at, question));
+    answer.sentence = fmt::format("{}, {}", where, in_words(best.point.at, question));
   answer.sentence += fmt::format(
       ": peak force {:.0f} kN (error {:.1f} %{}), {:.2f} mm deep, rebound {:.3f} m/s", best.point.peak_force / 1e3,
       100 * best.force_error,

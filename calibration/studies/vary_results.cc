@@ -31,7 +31,8 @@ nlohmann::json to_json(const SeverityTable &table) {
           {"peak_kN", scaled(table.peak_force, 1e-3)},
           {"depth_mm", scaled(table.depth, 1e3)},
           {"rebound_m_per_s_sqrt_kg", table.rebound},
-          {"strain", table.strain}};
+          {"strain", table.strain},
+          {"rim_foot_use", table.foot_use}};
 }
 
 std::string speed_at_limit(const VaryPoint &point) {

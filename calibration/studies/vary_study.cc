@@ -30,7 +30,7 @@ double parabola(const std::array<double, 3> &x, const std::array<double, 3> &y, 
   return sum;
 }
 
-SeverityTable table_of(const laws::RimCurve &curve, const reduced::CurveStrain &strain) {
+SeverityTable table_of(const laws::RimCurve &curve, const reduced::RimCurveFile &file) {
   constexpr int n_steps = 80; // straight lines between them are within 1e-3 of the curve
   const double most = std::sqrt(2 * curve.work(curve.range()));
   SeverityTable table;
@@ -41,12 +41,21 @@ SeverityTable table_of(const laws::RimCurve &curve, const reduced::CurveStrain &
     table.depth.push_back(depth);
     table.peak_force.push_back(curve.loading(depth).force);
     table.rebound.push_back(i == 0 ? 0 : std::sqrt(2 * curve.returned(depth)));
-    if (!strain.strain.empty()) table.strain.push_back(linear_at(strain.penetration, strain.strain, depth));
+    if (!file.strain.strain.empty())
+      table.strain.push_back(linear_at(file.strain.penetration, file.strain.strain, depth));
+    if (!file.foot.use.empty()) table.foot_use.push_back(linear_at(file.foot.penetration, file.foot.use, depth));
   }
   return table;
 }
 
 } // namespace
+
+std::string in_words(const std::vector<double> &at, const VaryQuestion &question) {
+  std::string text;
+  for (std::size_t j = 0; j < at.size(); ++j)
+    text += fmt::format("{}{} = {:g}", j == 0 ? "" : ", ", question.keys[j].key, at[j]);
+  return text;
+}
 
 const std::vector<std::string> &vary_outputs() {
   static const std::vector<std::string> names{"peak_kN", "depth_mm", "rebound_m_per_s", "strain", "rim_foot_use"};
@@ -79,7 +88,7 @@ VaryPoint vary_point(const reduced::RimCurveFile &file, const VaryQuestion &ques
   point.depth = curve.depth_of(work);
   point.peak_force = curve.loading(point.depth).force;
   point.rebound = std::sqrt(2 * curve.returned(point.depth) / question.mass);
-  point.table = table_of(curve, file.strain);
+  point.table = table_of(curve, file);
   const auto speed_where = [&](const std::vector<double> &d, const std::vector<double> &value,
                                double limit) -> std::optional<double> {
     const auto deep = crossing(d, value, limit);

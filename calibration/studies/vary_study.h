@@ -29,6 +29,8 @@ struct VaryQuestion {
   std::optional<double> strain_limit;    ///< of the steel [-]; none: not judged
   std::map<std::string, double> targets; ///< most of peak_kN, depth_mm, rebound_m_per_s, strain, rim_foot_use
 };
+/// "rim.thickness_mm = 40", of several keys with commas.
+std::string in_words(const std::vector<double> &at, const VaryQuestion &question);
 /// What can be a target, in the order of a row's columns.
 const std::vector<std::string> &vary_outputs();
 
@@ -38,6 +40,7 @@ struct SeverityTable {
   std::vector<double> peak_force, depth; ///< [N], [m]
   std::vector<double> rebound;           ///< of the rebound speed, times sqrt(m) [m/s sqrt(kg)]
   std::vector<double> strain;            ///< averaged [-]; empty: the curve does not say
+  std::vector<double> foot_use;          ///< [-]; empty: one piece with the plate
 };
 
 /// One rim at the question's speed.

@@ -98,7 +98,7 @@ def export(source: Calibration | str | os.PathLike, folder: str | os.PathLike, f
            law: str | None = None) -> list[Path]:
     """Writes a calibrated bearing for other programs, as `rimpact export` does, and returns the files of `folder`.
 
-    formats: of "opensees", "sap2000", "etabs", "csv"; mass: that the bearing carries [kg]; law: another of the ranked laws, or "pair".
+    formats: of "opensees", "sap2000", "etabs", "csv", "dxf"; mass: that the bearing carries [kg]; law: another of the ranked laws, or "pair".
 
     >>> runs = [rimpact.run_reduced(rimpact.Scene("impact-window", {"excitation.speed_m_per_s": speed})) for speed in (0.1, 0.2, 0.4)]
     >>> made = rimpact.calibrate(runs, "to-hand-over", law="no-tension", laws="none")

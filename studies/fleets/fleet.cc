@@ -118,7 +118,8 @@ private:
 void count(FleetResult &result, const Row &row) {
   for (const auto &[name, sum] : {std::pair{"beyond_rim", &result.beyond_rim}, {"beyond_fit", &result.beyond_fit}})
     if (const auto flag = number_in(row, name)) *sum = sum->value_or(0) + (*flag != 0);
-  result.hits.add([&](const char *column) { return number_in(row, column); });
+  const CellReader cells = [&](const char *column) { return number_in(row, column); };
+  result.hits.add(cells), result.implausible.add(cells);
   const auto *status = std::get_if<std::string>(&row.at("status"));
   const auto known = status ? parse<RowStatus>(*status) : std::nullopt;
   ++(known == RowStatus::done      ? result.done
@@ -127,13 +128,20 @@ void count(FleetResult &result, const Row &row) {
                                    : result.failed);
 }
 
-void write_limits(const HitShares &hits, const std::string &folder) {
-  auto limits = hits.json();
-  limits["doubts"] = hits.doubts();
+void write_limits(const FleetResult &result, const std::string &folder) {
+  auto limits = result.hits.json();
+  limits["plausible"] = result.implausible.json();
+  limits["doubts"] = result.doubts();
   write_atomically(json_text(limits), folder + "/limits.json");
 }
 
 } // namespace
+
+std::vector<std::string> FleetResult::doubts() const {
+  auto all = hits.doubts(!implausible.bound_the_frame());
+  for (auto &doubt : implausible.doubts()) all.push_back(std::move(doubt));
+  return all;
+}
 
 FleetModel reduced_models() {
   return {.run = [](const scene::Scene &scene) { return reduced::simulate_summary(scene); }};
@@ -157,6 +165,7 @@ FleetResult run_fleet(const std::string &where, const std::vector<std::string> &
     if (!table.has(run)) todo.push_back(run);
   }
   FleetResult result;
+  result.implausible = ImplausibleRuns(sweep.plausible);
   result.total = mine.size(), result.kept = mine.size() - todo.size();
   result.table = options.folder + "/table";
   if (!part.empty()) result.table += "-" + part;
@@ -199,7 +208,7 @@ FleetResult run_fleet(const std::string &where, const std::vector<std::string> &
                 fmt::format("interrupted after {} of {} runs; the same command goes on from there", result.kept + n_new,
                             result.total));
   for (const auto run : mine) count(result, table.row(run));
-  if (options.n_shards == 1) write_limits(result.hits, options.folder);
+  if (options.n_shards == 1) write_limits(result, options.folder);
   if (options.n_shards == 1 && !sweep.fractiles_along.empty()) {
     const Table curves = fractiles(table.table(mine), sweep.fractiles_along, sweep.fractiles_by);
     write_hdf5(curves, options.folder + "/fractiles.h5");

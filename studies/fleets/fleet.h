@@ -44,18 +44,21 @@ struct FleetResult {
   std::size_t total = 0, kept = 0, done = 0, stopped = 0, refused = 0, failed = 0;
   std::optional<std::size_t> beyond_rim, beyond_fit; ///< runs, whatever their status; none: of no run is it known
   HitShares hits;
+  ImplausibleRuns implausible;
   double seconds = 0;
   std::string table; ///< path without .csv or .h5
+  /// Sentences about where the models are not known to hold, and about runs beyond [plausible].
+  std::vector<std::string> doubts() const;
 };
 
 /// Fills FOLDER/table.csv and table.h5, of a shard table-I-of-N.*; rows that any table of the folder already
 /// has are not run again (so a call without a shard gathers the shards' tables). Without shards and with
 /// [fractiles] in the sweep also FOLDER/fractiles.csv and .h5. FOLDER/limits.json, without shards: which share of the
-/// hits lies where the models are not known to hold, and the doubts about that. FOLDER/fleet.json says what
-/// the fleet is; InputError when the folder holds another one, or when no run of the sweep can be read as a
-/// scene. Rows of other inputs (a file edited since) or of another version are not kept: every run is made again.
-/// IoError where another process works on the same shard. Throws Error{ExitCode::interrupted} after the table is
-/// written.
+/// hits lies where the models are not known to hold, how many runs are beyond [plausible], and the doubts about that.
+/// FOLDER/fleet.json says what the fleet is; InputError when the folder holds another one, or when no run of the sweep
+/// can be read as a scene. Rows of other inputs (a file edited since) or of another version are not kept: every run is
+/// made again. IoError where another process works on the same shard. Throws Error{ExitCode::interrupted} after the
+/// table is written.
 FleetResult run_fleet(const std::string &scene, const std::vector<std::string> &overrides, const Sweep &sweep,
                       const FleetOptions &options, const FleetModel &model = reduced_models());
 

@@ -126,7 +126,7 @@ Sweep combine(const SweepParts &parts, const std::string &origin) {
     points = product(points, along, origin);
   }
   points = product(points, sampled_points(parts), origin);
-  Sweep sweep{origin, {}, {}, parts.fractiles_along, parts.fractiles_by, parts.records.left_out};
+  Sweep sweep{origin, {}, {}, parts.fractiles_along, parts.fractiles_by, parts.records.left_out, parts.plausible};
   for (auto &point : points) {
     for (const auto &linked : parts.linked) add_linked(point, linked);
     sweep.runs.emplace_back();

@@ -28,6 +28,8 @@
 ///   [fractiles]                   # also FOLDER/fractiles.csv and .h5, see fractiles.h
 ///   along = "variable.pga_g"                                       # a key with numbers, of any part
 ///   by = ["bearing.surface.a_m"]                                   # one curve for each combination of these
+///   [plausible]                   # largest values that are believed, see implausible_runs.h
+///   ductility = 15
 ///
 /// Each motion of [records] sets excitation.kind, x, y and z, the column `record`, and variable.record_pga_g
 /// and variable.record_pgv_m_per_s (and variable.record_sa_g, the spectral acceleration with 5 % damping): the largest of its horizontal components, unscaled.
@@ -37,6 +39,7 @@
 // clang-format on
 #pragma once
 #include "io/files/table.h"
+#include "studies/fleets/implausible_runs.h"
 #include <string>
 #include <vector>
 
@@ -55,6 +58,7 @@ struct Sweep {
   std::string fractiles_along;           ///< one of `keys`, or empty
   std::vector<std::string> fractiles_by; ///< of `keys`
   std::vector<std::string> left_out;     ///< sentences: records of a folder that are not used
+  PlausibleBounds plausible = {};
   /// KEY=VALUE for load_scene, file names made absolute; variables and the case's name left out.
   std::vector<std::string> assignments(std::size_t run) const;
 };

@@ -12,8 +12,8 @@
 namespace rimpact::fleets {
 namespace {
 
-const std::vector<std::string> part_names = {"case",   "device",   "records", "grid", "latin_hypercube",
-                                             "linked", "fractiles"};
+const std::vector<std::string> part_names = {"case",   "device",    "records",  "grid", "latin_hypercube",
+                                             "linked", "fractiles", "plausible"};
 
 class PartsReader : SweepToml {
 public:
@@ -33,6 +33,7 @@ public:
     read_latin_hypercube(file_, origin_, parts_);
     each_key("linked", [&](const std::string &key, const toml::node &node) { read_linked(key, node); });
     read_fractiles();
+    parts_.plausible = read_plausible(file_);
     return std::move(parts_);
   }
 

@@ -41,6 +41,7 @@ struct SweepParts {
   std::vector<LinkedKey> linked;
   std::string fractiles_along; ///< empty: no fractiles
   std::vector<std::string> fractiles_by;
+  PlausibleBounds plausible;
 };
 
 /// `count` values evenly from `from` to `to`, both included; each is checked to be one the key can take.

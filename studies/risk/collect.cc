@@ -93,15 +93,6 @@ void require_quantities(const Study &study, const ResponseSet &set, const std::s
                                        study.origin, study.limits[k].quantity, path));
 }
 
-/// The largest values that no run is believed beyond.
-void count_implausible(const Study &study, const Columns &columns, const std::vector<Cell> &row, ResponseSet &set) {
-  for (const auto &[quantity, most] : study.plausible)
-    if (const double value = columns.number(row, quantity); value > most) {
-      auto &[n, largest] = set.implausible[quantity];
-      ++n, largest = std::max(largest, value);
-    }
-}
-
 /// The run of a row, into its level.
 void add_run(const Study &study, const Columns &columns, const std::vector<Cell> &row, int record, ResponseSet &set,
              ResponseLevel &level) {
@@ -129,6 +120,7 @@ ResponseSet collect(const Study &study, const std::string &folder, const Motions
   const Table table = read_table(path);
   const Columns columns(table);
   ResponseSet set;
+  set.implausible = fleets::ImplausibleRuns(study.parts.plausible);
   set.runs = shape_of(table);
   for (const auto &key : study.parts.sampled) set.inputs.push_back(key.key);
   std::map<double, ResponseLevel> levels;
@@ -140,13 +132,13 @@ ResponseSet collect(const Study &study, const std::string &folder, const Motions
       throw DataError(path + ": a row has no record or no variable.level_g; is it of another version?");
     ResponseLevel &level = levels[intensity];
     level.intensity_g = intensity;
-    level.hits.add([&](const char *name) {
+    const fleets::CellReader cells = [&](const char *name) {
       const double value = columns.number(row, name);
       return std::isnan(value) ? std::nullopt : std::optional(value);
-    });
+    };
+    level.hits.add(cells), set.implausible.add(cells);
     const auto known = records.find(record);
     if (known == records.end()) throw DataError(fmt::format("{}: {} is no record of this study", path, record));
-    count_implausible(study, columns, row, set);
     add_run(study, columns, row, known->second, set, level);
   }
   require_all_runs(study, motions, table.rows.size(), path);

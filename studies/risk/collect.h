@@ -1,6 +1,6 @@
 /// The runs of one system as numbers: responses by quantity, level and record.
 #pragma once
-#include "studies/fleets/hit_shares.h"
+#include "studies/fleets/implausible_runs.h"
 #include "studies/reliability/record_sums.h"
 #include "studies/risk/systems.h"
 #include <map>
@@ -31,10 +31,9 @@ struct ResponseSet {
   std::vector<std::string> inputs;   ///< sampled keys
   std::vector<ResponseLevel> levels; ///< of Motions::levels that have a run with a result
   int n_through_rim = 0;             ///< runs that went deeper into the rim than it is thick: among the unfinished
-  /// Runs with a value beyond Study::plausible, by quantity, and the largest such value.
-  std::map<std::string, std::pair<int, double>> implausible = {};
-  int n_past_wall = 0;  ///< runs without a rim that went as far past its wall: among the finished
-  TableShape runs = {}; ///< of its table
+  fleets::ImplausibleRuns implausible = {}; ///< of all its runs, by [plausible] of the study
+  int n_past_wall = 0;                      ///< runs without a rim that went as far past its wall: among the finished
+  TableShape runs = {};                     ///< of its table
 };
 
 /// From the table.csv in a system's folder. Throws DataError where it is damaged, lacks runs, or holds no run with a

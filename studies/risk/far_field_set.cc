@@ -18,7 +18,7 @@ constexpr std::array<FarFieldRecord, 22> far_field{{{"953", "Northridge 1994", "
                                                     {"1158", "Kocaeli 1999", "Duzce", 0.69},
                                                     {"1148", "Kocaeli 1999", "Arcelik", 1.36},
                                                     {"900", "Landers 1992", "Yermo Fire Station", 0.99},
-                                                    {"848", "Landers 1992", "Coolwater", 0},
+                                                    {"848", "Landers 1992", "Coolwater", 1.15},
                                                     {"752", "Loma Prieta 1989", "Capitola", 1.09},
                                                     {"767", "Loma Prieta 1989", "Gilroy Array 3", 0.88},
                                                     {"1633", "Manjil 1990", "Abbar", 0.79},
@@ -50,13 +50,10 @@ MotionLevel far_field_level(double intensity_g, RecordShelf &shelf, std::vector<
   for (const auto &record : far_field) {
     const auto files = shelf.components(record.rsn);
     level.n_listed += 2;
-    if (files.size() < 2 || record.normalisation == 0)
+    if (files.size() < 2)
       missing.push_back(fmt::format("RSN {} ({}, {}) of the far-field set at {:.4g} g: {}", record.rsn, record.event,
                                     record.station, intensity_g,
-                                    record.normalisation == 0 ? "its factor of normalisation is not verified"
-                                    : files.empty()           ? "no file at hand"
-                                                              : "one component is not at hand"));
-    if (record.normalisation == 0) continue;
+                                    files.empty() ? "no file at hand" : "one component is not at hand"));
     for (const auto &file : files) {
       level.motions.push_back(
           {.file = file, .record = fmt::format("RSN{}", record.rsn), .scale = record.normalisation});

@@ -251,14 +251,6 @@ ordered_json levels_json(const Motions &motions) {
   return levels;
 }
 
-void doubt_range(std::size_t system, const Study &study, const ResponseSet &set, std::vector<std::string> &doubts) {
-  for (const auto &[quantity, found] : set.implausible)
-    doubts.push_back(
-        fmt::format("system {}: {} runs have a {} beyond {:g}, the study's bound of what is plausible, up to "
-                    "{:.3g}: such a run may be a collapse that the model does not have",
-                    system + 1, found.first, quantity, study.plausible.at(quantity), found.second));
-}
-
 /// Runs that leave their rim behind.
 void doubt_rims(std::size_t system, const ResponseSet &set, std::vector<std::string> &doubts) {
   if (set.n_through_rim > 0)
@@ -282,13 +274,13 @@ Results evaluate_study(const Study &study, const Systems &systems, const Motions
   fleets::HitShares hits;
   RateDoubts rates;
   std::vector<CollapseCheck> checks;
-  const bool has_own_bounds = study.plausible.contains("ductility") || study.plausible.contains("peak_drift_m");
+  const bool has_own_bounds = fleets::ImplausibleRuns(study.parts.plausible).bound_the_frame();
   std::vector<std::string> doubts = motions.doubts;
   for (std::size_t s = 0; s < systems.size(); ++s) {
     const ResponseSet set = collect(study, folder_of_system(folder, s), motions);
     for (const auto &level : set.levels) n_without += level.unfinished.size(), hits.add(level.hits);
     doubt_rims(s, set, doubts);
-    doubt_range(s, study, set, doubts);
+    for (const auto &doubt : set.implausible.doubts()) doubts.push_back(fmt::format("system {}: {}", s + 1, doubt));
     for (const double level : levels_without_result(motions, set))
       doubts.push_back(fmt::format("system {}: no run at {:.4g} g has a result; its fragility is made without that "
                                    "level",

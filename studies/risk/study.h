@@ -43,8 +43,7 @@
 ///   category = "Dmax"             # | "C" | "E"
 ///   design_requirements = "B"     # A to D; so are test_data and model
 ///   three_dimensional = false     # 1.2 times the margin
-///   [plausible]                   # largest values of quantities(); a run beyond is doubted
-///   ductility = 15.0              # in place of 10, peak_drift_m in place of 0.15 m (responses/frame_limits.h)
+///   [plausible]                   # as in a sweep file (studies/fleets/implausible_runs.h)
 ///   [bootstrap]
 ///   replicates = 500
 ///   confidence = 0.9
@@ -163,9 +162,6 @@ struct Study {
   std::vector<Limit> limits;
   std::vector<Difference> differences;
   std::optional<CollapseStudy> collapse = {};
-  /// Largest values that are believed, by quantity: a run beyond is doubted. Where ductility or drift has one it takes
-  /// the place of responses/frame_limits.h.
-  std::map<std::string, double> plausible = {};
   reliability::Bootstrap bootstrap;
 };
 

@@ -18,9 +18,8 @@
 namespace rimpact::risk {
 namespace {
 
-const std::vector<std::string> own_parts = {"scene",     "name",    "years",    "set",   "intensity",
-                                            "fragility", "motions", "hazard",   "limit", "difference",
-                                            "bootstrap", "p695",    "plausible"};
+const std::vector<std::string> own_parts = {"scene",   "name",   "years", "set",        "intensity", "fragility",
+                                            "motions", "hazard", "limit", "difference", "bootstrap", "p695"};
 /// What the study itself sets in every run.
 const std::vector<std::string> taken_keys = {"excitation.kind", "excitation.x", "excitation.y", "excitation.z",
                                              "excitation.scale"};
@@ -47,7 +46,7 @@ public:
     study_.limits = read_limits(file_, origin_);
     study_.differences = read_differences(file_, origin_, study_.parts);
     study_.collapse = read_collapse_study(file_, study_.limits);
-    read_plausible();
+    check_measure();
     TomlReader bootstrap(file_, "bootstrap");
     bootstrap.integer({"replicates"}, study_.bootstrap.replicates, 2, 100'000);
     bootstrap.number({"confidence"}, study_.bootstrap.confidence, si, {0, 1, true, true});
@@ -87,21 +86,13 @@ private:
       fail_at("intensity.levels_g", "intensity.levels_g has a level twice");
   }
 
-  void read_plausible() {
+  void check_measure() const {
     if (study_.measure != Measure::component && (study_.levels_g.empty() || study_.motions.list != RecordList::none))
       fail_at("intensity.measure",
               "intensity.measure is of intensity.levels_g with the records of the folders; tables, "
               "searches and motions.list have measures of their own");
     if (study_.motions.list != RecordList::none && study_.levels_g.empty())
       fail_at("motions.list", "motions.list needs intensity.levels_g, the levels of its median S_a");
-    TomlReader reader(file_, "plausible");
-    for (const auto &quantity : quantities()) {
-      double most = 0;
-      if (quantity == collapsed) continue;
-      reader.number({quantity.c_str()}, most, si, {0, 1e12, true});
-      if (most > 0) study_.plausible[quantity] = most;
-    }
-    reader.finish();
   }
 
   void read_hazard() {
@@ -145,15 +136,11 @@ private:
 } // namespace
 
 const std::vector<std::string> &quantities() {
-  static const std::vector<std::string> names{"peak_displacement_m",
-                                              "peak_lateral_force_N",
-                                              "peak_impact_force_N",
-                                              "residual_displacement_m",
-                                              "ductility",
-                                              "peak_drift_m",
-                                              "peak_storey_shear_N",
-                                              "peak_floor_acceleration_m_s2",
-                                              collapsed};
+  static const auto names = [] {
+    auto all = fleets::bounded_quantities();
+    all.emplace_back(collapsed);
+    return all;
+  }();
   return names;
 }
 

@@ -60,6 +60,20 @@ class Vary(unittest.TestCase):
         self.assertLess(json.loads(lower.stdout)["answer"]["design"][0], design)
         self.assertEqual(self.calls("curve"), 3)
 
+    def test_a_lower_force_is_a_liners(self):
+        run = self.geometry(*LOAD, *ASKED, "--target", "peak_kN=600", "--crush", "0.7", "--no-proof", "--json")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        liner = json.loads(run.stdout)["liner"]
+        self.assertTrue(liner["works"], liner["sentence"])
+        self.assertAlmostEqual(liner["crush_stress_MPa"] * liner["band_mm"] * liner["chord_mm"], 600e3, delta=1)  # N
+        self.assertAlmostEqual(liner["stroke_mm"] / liner["thickness_mm"], 0.7)
+        energy = MASS * SPEED**2 / 2
+        self.assertGreater(liner["stroke_mm"] / 1e3 * 600e3, energy)  # a chord that grows takes 2/3 of force times stroke
+        self.assertLess(liner["stroke_mm"] / 1e3 * 600e3, 1.6 * energy)
+        self.assertLess(liner["wall"]["strain"], 0.2)
+        self.assertIn("Or a sacrificial liner on the wall of rim.thickness_mm = 20:", liner["sentence"])
+        self.assertIn("a liner", self.geometry("--crush", "0.5").stderr)
+
     def test_an_answer_far_from_its_solid_run_is_doubted(self):
         """The stand-in's solid runs follow another law than its curves."""
         run = self.geometry(*LOAD, *ASKED)

@@ -55,24 +55,32 @@ class OneNode:
         key = os.path.join(folder, "munge.key")
         with open(os.open(key, os.O_CREAT | os.O_WRONLY, 0o400), "wb") as file:
             file.write(os.urandom(1024))
+        try:
+            self._start_all(key)
+        except RuntimeError:
+            self.stop()
+            raise
+
+    def _start_all(self, key):
+        folder = self.folder
         self._start("munged", "--foreground", "--force", f"--key-file={key}", f"--socket={folder}/munge.socket",
                     f"--pid-file={folder}/munged.pid", f"--log-file={folder}/munged.log", f"--seed-file={folder}/munge.seed")
-        self._wait(lambda: os.path.exists(f"{folder}/munge.socket"), "munged")
+        self.wait_until(lambda: os.path.exists(f"{folder}/munge.socket"), "munged")
         self._start("slurmctld", "-D")
         self._start("slurmd", "-D")
-        self._wait(lambda: "idle" in self.output("sinfo", "-h"), "the node")
+        self.wait_until(lambda: "idle" in self.output("sinfo", "-h"), "the node")
 
     def _start(self, *words):
         with open(os.path.join(self.folder, words[0] + ".out"), "w", encoding="utf-8") as log:
             self.processes.append(subprocess.Popen(words, env=self.environment, stdout=log, stderr=log))
 
     @staticmethod
-    def _wait(ready, what, seconds=60):
+    def wait_until(ready, what, seconds=60):
         for _ in range(10 * seconds):
             if ready():
                 return
             time.sleep(0.1)
-        raise RuntimeError(f"{what} did not come up")
+        raise RuntimeError(f"{what} did not come")
 
     def output(self, *words):
         return subprocess.run(words, env=self.environment, capture_output=True, text=True, timeout=60).stdout
@@ -86,7 +94,7 @@ class OneNode:
         return done.stdout.strip().split(";")[0]
 
     def wait_for_all(self, seconds=300):
-        self._wait(lambda: not self.output("squeue", "-h").strip(), "the queue's end", seconds)
+        self.wait_until(lambda: not self.output("squeue", "-h").strip(), "the queue's end", seconds)
 
     def stop(self):
         for process in reversed(self.processes):

@@ -1,4 +1,5 @@
 // Which share of a fleet's hits lies where the models are not known to hold.
+#include "../scene/expect_error.h"
 #include "../scene/temporary_folder.h"
 #include "io/files/table_csv.h"
 #include "studies/fleets/fleet.h"
@@ -86,6 +87,36 @@ TEST(HitShares, FramesBeyondWhatTheirLawStandsForAreDoubted) {
                               "0.93 m (above 0.15 m)"),
       std::string::npos)
       << beyond.doubts()[0];
+}
+
+// One reader for sweeps and studies: bounds of the user's own, counted over a fleet's runs.
+TEST(Plausible, RunsBeyondASweepsBoundsAreCountedAndDoubted) {
+  const std::string runs = "[grid]\nexcitation.scale = [0.2, 1.1, 1.4]\n[plausible]\n";
+  expect_error<InputError>([&] { parse_sweep(runs + "ductilty = 3\n", "s.toml"); }, {"s.toml:4", "ductility"});
+  expect_error<InputError>([&] { parse_sweep(runs + "ductility = 0\n", "s.toml"); }, {"s.toml:4", "ductility", "0"});
+  const TemporaryFolder folder;
+  const auto sweep = parse_sweep(runs + "peak_displacement_m = 0.3\npeak_drift_m = 1\n", "s.toml");
+  FleetOptions options;
+  options.folder = folder.path(), options.n_threads = 1;
+  const auto result = run_fleet("ricker-0.78g-1.0s", {}, sweep, options);
+  const auto json = result.implausible.json();
+  const Table table = read_table(folder / "table.csv");
+  std::size_t beyond = 0;
+  double largest = 0;
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    const double peak = number_in(table, i, "peak_displacement_m");
+    beyond += peak > 0.3, largest = std::max(largest, peak);
+  }
+  EXPECT_EQ(beyond, 2u) << "the weak pulse stays below the bound";
+  EXPECT_EQ(json["peak_displacement_m"]["n_runs_beyond"], beyond);
+  EXPECT_EQ(json["peak_displacement_m"]["largest"], largest);
+  EXPECT_TRUE(json["peak_drift_m"]["largest"].is_null()) << "no frame, no drift";
+  EXPECT_TRUE(result.implausible.bound_the_frame());
+  std::ifstream file(folder / "limits.json");
+  const auto written = nlohmann::json::parse(file);
+  EXPECT_EQ(written["plausible"], nlohmann::json(json));
+  EXPECT_NE(written["doubts"].dump().find("2 runs have a peak_displacement_m beyond 0.3"), std::string::npos)
+      << written["doubts"];
 }
 
 // The pulse on the published pair, and with a range that its hits leave.

@@ -3,6 +3,7 @@
 #include "meshes/exact_surfaces.h"
 #include "meshes/rim_mesh.h"
 #include "meshes/stack_mesh.h"
+#include "meshes/surface_list.h"
 
 #include <algorithm>
 #include <cmath>
@@ -216,19 +217,29 @@ TEST(OwnMesh, WeldedBodiesAreRefused) {
               "rim and upper_slider are welded: they share 1 nodes");
 }
 
+/// The part of a ring between two heights.
+int ring(double low, double high) {
+  namespace occ = gmsh::model::occ;
+  const int outer = occ::addCylinder(0, 0, low, 0, 0, high - low, 560, -1, 1.0),
+            inner = occ::addCylinder(0, 0, low - 1, 0, 0, high - low + 2, 520, -1, 1.0);
+  gmsh::vectorpair result;
+  std::vector<gmsh::vectorpair> map;
+  occ::cut({{3, outer}}, {{3, inner}}, result, map);
+  return result[0].second;
+}
+
 /// Rim sector and slider without their foot and socket, drawn with OpenCASCADE; a STEP file knows neither groups nor
-/// cells.
-void draw_step(const std::string &path) {
+/// cells. `parts`: the sector as one body, or plate and rim apart, one on the other.
+void draw_step(const std::string &path, int parts = 1) {
   namespace occ = gmsh::model::occ;
   gmsh::initialize(0, nullptr, false);
   gmsh::option::setNumber("General.Terminal", 0);
   gmsh::model::add("step");
   const double edge = 1e3 * scene::make_surface(bearing.surface)->at(0.52, 0).z, bottom = 1e3 * bearing.slider.bottom;
-  const int outer = occ::addCylinder(0, 0, -50, 0, 0, edge + 110, 560, -1, 1.0),
-            inner = occ::addCylinder(0, 0, -51, 0, 0, edge + 112, 520, -1, 1.0);
-  gmsh::vectorpair result;
-  std::vector<gmsh::vectorpair> map;
-  occ::cut({{3, outer}}, {{3, inner}}, result, map);
+  if (parts == 1)
+    ring(-50, edge + 60);
+  else
+    ring(-50, edge), ring(edge, edge + 60);
   occ::addCylinder(0, 0, bottom, 0, 0, 100, 120, -1, M_PI);
   occ::synchronize();
   gmsh::write(path);
@@ -254,6 +265,93 @@ TEST(OwnMesh, AStepFileIsMeshedWithHexahedra) {
   const HexMesh mesh = rim_mesh(bearing, options);
   EXPECT_EQ(quality(mesh).n_components, 2);
   EXPECT_GT(mesh.cells.size(), 100u);
+  EXPECT_GT(quality(mesh).min_scaled_jacobian, 0.01);
+}
+
+/// The number of the surface of a body that is of this kind, with its middle nearest to a place.
+int surface_near(const nlohmann::json &body, const std::string &kind, const std::array<double, 3> &place) {
+  int number = 0;
+  double nearest = INFINITY;
+  for (const auto &surface : body["surfaces"]) {
+    double distance = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+      distance += std::pow((surface["box"][0][i].get<double>() + surface["box"][1][i].get<double>()) / 2 - place[i], 2);
+    if (surface["kind"] == kind && distance < nearest) nearest = distance, number = surface["number"];
+  }
+  return number;
+}
+
+TEST(SurfaceList, KindsRadiiAndCentresAreThoseDrawn) {
+  const TemporaryFile file("listed.step");
+  gmsh::initialize(0, nullptr, false);
+  gmsh::option::setNumber("General.Terminal", 0);
+  gmsh::model::add("listed");
+  gmsh::model::occ::addCylinder(10, 20, 30, 0, 5, 0, 7); // its axis along y
+  gmsh::model::occ::addSphere(100, 0, -3, 11);
+  gmsh::model::occ::addTorus(0, 0, 200, 50, 2);
+  gmsh::model::occ::synchronize();
+  gmsh::write(file.path);
+  gmsh::finalize();
+  const auto bodies = list_surfaces(file.path);
+  ASSERT_EQ(bodies.size(), 3u);
+  const auto of_kind = [](const nlohmann::json &body, const std::string &kind) {
+    for (const auto &surface : body["surfaces"])
+      if (surface["kind"] == kind) return surface;
+    ADD_FAILURE() << kind;
+    return nlohmann::json();
+  };
+  const auto expect = [](const nlohmann::json &found, const std::array<double, 3> &wanted) {
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(found[i].get<double>(), wanted[i], 1e-5) << found;
+  };
+  const auto cylinder = of_kind(bodies[0], "Cylinder"), sphere = of_kind(bodies[1], "Sphere"),
+             torus = of_kind(bodies[2], "Torus");
+  EXPECT_NEAR(cylinder["radius"].get<double>(), 7, 1e-5);
+  expect(cylinder["centre"], {10, 22.5, 30});
+  EXPECT_NEAR(std::abs(cylinder["axis"][1].get<double>()), 1, 1e-6);
+  EXPECT_NEAR(sphere["radius"].get<double>(), 11, 1e-5);
+  expect(sphere["centre"], {100, 0, -3});
+  EXPECT_NEAR(torus["radius"].get<double>(), 2, 1e-5);
+  EXPECT_NEAR(torus["around"].get<double>(), 50, 1e-5);
+  expect(torus["centre"], {0, 0, 200});
+  const std::string text = describe_surfaces(bodies);
+  EXPECT_NE(text.find("Sphere, radius 11, centre (100, 0, -3)"), std::string::npos) << text;
+  EXPECT_THROW(list_surfaces("no-such.step"), DataError);
+}
+
+/// Plate and rim of a STEP file, one on the other: they get a common face, and the surfaces keep their names.
+TEST(OwnMesh, PlateAndRimDrawnApartAreJoined) {
+  const TemporaryFile file("apart.step");
+  draw_step(file.path, 2);
+  const auto bodies = list_surfaces(file.path);
+  ASSERT_EQ(bodies.size(), 3u);
+  MeshOrder options;
+  options.own.file = file.path;
+  options.own.unit = scene::LengthUnit::mm;
+  options.own.size = 0.06, options.own.contact_size = 0.03;
+  const auto name = [&](auto group, const std::string &in_file) {
+    for (std::size_t k = 0; k < scene::mesh_group_names.size(); ++k)
+      if (to_string(group) == scene::mesh_group_names[k]) options.own.groups[k] = in_file;
+  };
+  const auto surfaces = [](std::initializer_list<int> numbers) {
+    std::string text;
+    for (const int number : numbers) text += (text.empty() ? "surface " : ", surface ") + std::to_string(number);
+    return text;
+  };
+  const auto &plate = bodies[0], &rim = bodies[1], &slider = bodies[2];
+  const double edge = rim["box"][0][2], end = 540 * std::cos(1.0), out = 540 * std::sin(1.0);
+  name(Volume::plate, "volume 1"), name(Volume::rim, "volume 2"), name(Volume::upper_slider, "volume 3");
+  name(Surface::rim_wall, surfaces({surface_near(rim, "Cylinder", {400, 218, edge + 30})}));
+  name(Surface::fixed, surfaces({surface_near(plate, "Plane", {416, 235, -50})}));
+  name(Surface::symmetry,
+       surfaces({surface_near(plate, "Plane", {540, 0, 0}), surface_near(rim, "Plane", {540, 0, edge + 30}),
+                 surface_near(slider, "Plane", {60, 0, 108}), surface_near(slider, "Plane", {-60, 0, 108})}));
+  name(Surface::sector_end,
+       surfaces({surface_near(plate, "Plane", {end, out, 0}), surface_near(rim, "Plane", {end, out, edge + 30})}));
+  name(Surface::slider_side, surfaces({surface_near(slider, "Cylinder", {0, 60, 108})}));
+  name(Surface::top, surfaces({surface_near(slider, "Plane", {0, 60, 158})}));
+  const HexMesh mesh = rim_mesh(bearing, options);
+  EXPECT_EQ(quality(mesh).n_components, 2) << "one piece, and the slider";
+  EXPECT_GT(std::count(mesh.volumes.begin(), mesh.volumes.end(), Volume::rim), 0);
   EXPECT_GT(quality(mesh).min_scaled_jacobian, 0.01);
 }
 

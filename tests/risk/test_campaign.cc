@@ -66,7 +66,7 @@ TEST(Campaign, FromFileToTables) {
   EXPECT_NE(doubts.find("the levels begin too high"), std::string::npos) << doubts;
   EXPECT_EQ(doubts.find("plausible"), std::string::npos) << doubts;
   Study bounded = small.study; // by [plausible] of the study
-  bounded.plausible["peak_displacement_m"] = 1e-4;
+  bounded.parts.plausible["peak_displacement_m"] = 1e-4;
   const auto doubted =
       evaluate_study(bounded, small.systems, small.motions, small.folder / "out", nullptr).summary["doubts"].dump();
   EXPECT_NE(doubted.find("system 1: 18 runs have a peak_displacement_m beyond 0.0001"), std::string::npos) << doubted;
