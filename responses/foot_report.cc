@@ -3,8 +3,22 @@
 #include "io/files/error.h"
 #include "io/files/json_text.h"
 #include <algorithm>
+#include <cmath>
 
 namespace rimpact {
+
+namespace {
+
+std::optional<double> force_where_it_goes(const Response &r) {
+  const auto &use = r.series("rim_foot_use"), &x = r.series("impact_x"), &y = r.series("impact_y");
+  const auto force = [&](std::size_t i) { return std::hypot(x[i], y[i]); };
+  const auto k =
+      static_cast<std::size_t>(std::find_if(use.begin(), use.end(), [](double u) { return u > 1; }) - use.begin());
+  if (k == use.size()) return {};
+  return k == 0 ? force(0) : std::lerp(force(k - 1), force(k), (1 - use[k - 1]) / (use[k] - use[k - 1]));
+}
+
+} // namespace
 
 std::optional<FootReport> foot_report(const Response &r, const scene::Bearing &bearing) {
   if (r.size() == 0 || !r.has("rim_foot_weld_force")) return {};
@@ -12,11 +26,11 @@ std::optional<FootReport> foot_report(const Response &r, const scene::Bearing &b
   const auto &measure = r.series(joint ? "rim_foot_use" : "rim_foot_weld_force");
   const auto k = static_cast<std::size_t>(std::max_element(measure.begin(), measure.end()) - measure.begin());
   const auto at = [&](const char *name) { return r.series(name)[k]; };
-  FootReport report{.time = at("time"), .worst = {}, .weld = at("rim_foot_weld_force"), .use = {}};
+  FootReport report{.time = at("time"), .worst = {}, .weld = at("rim_foot_weld_force"), .use = {}, .goes_at_force = {}};
   report.worst.normal = at("rim_foot_normal_per_length"), report.worst.shear = at("rim_foot_shear_per_length");
   report.worst.moment = at("rim_foot_moment_per_length");
   report.needed_throat = report.weld / weld_strength(bearing.rim.connection);
-  if (joint) report.use = measure[k];
+  if (joint) report.use = measure[k], report.goes_at_force = force_where_it_goes(r);
   report.normal = at("rim_foot_normal"), report.shear = at("rim_foot_shear"), report.moment = at("rim_foot_moment");
   return report;
 }
@@ -26,6 +40,7 @@ nlohmann::ordered_json to_json(const FootReport &f, const scene::RimConnection &
           {"in_words", in_words(connection)},
           {"use", or_null<nlohmann::ordered_json>(f.use)},
           {"exceeded", f.use ? nlohmann::ordered_json(f.exceeded()) : nlohmann::ordered_json(nullptr)},
+          {"goes_at_force_N", or_null<nlohmann::ordered_json>(f.goes_at_force)},
           {"time_s", f.time},
           {"normal_N_per_m", f.worst.normal},
           {"shear_N_per_m", f.worst.shear},
@@ -47,6 +62,7 @@ std::optional<FootReport> foot_report_in(const nlohmann::json &summary, const st
     report.worst = {number("normal_N_per_m"), number("shear_N_per_m"), 0, number("moment_N")};
     report.needed_throat = 1e-3 * number("needed_throat_mm");
     if (!f.value("use", nlohmann::json()).is_null()) report.use = number("use");
+    if (report.exceeded()) report.goes_at_force = number("goes_at_force_N");
     report.normal = number("total_normal_N"), report.shear = number("total_shear_N");
     report.moment = number("total_moment_Nm");
     return report;

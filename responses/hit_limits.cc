@@ -47,7 +47,7 @@ json count_beyond_steel(const scene::Scene &scene, const Summary &summary) {
   if (!limit) return nullptr;
   const auto strain = judged_strain(summary.steel, summary.max_plastic_strain);
   if (!strain) return summary.rung == SolvedBy::reduced ? count_by_depth(scene, summary, *limit) : json(nullptr);
-  const bool exceeded = strain->largest > *limit;
+  const bool exceeded = strain->largest > strain->limit.value_or(*limit);
   if (exceeded && summary.impacts.size() > 1) return nullptr;
   return exceeded ? summary.impacts.size() : 0;
 }

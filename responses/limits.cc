@@ -1,6 +1,7 @@
 #include "responses/limits.h"
 
 #include "responses/hit_limits.h"
+#include "responses/steel_limits.h"
 #include "scene/flow_curve.h"
 #include <algorithm>
 #include <cmath>
@@ -71,10 +72,9 @@ json beyond_fit(const scene::Scene &scene, Summary &summary) {
   return beyond > 0;
 }
 
-void warn_of_slider(const scene::Scene &scene, Summary &summary) {
+void warn_of_slider(Summary &summary) {
   const auto edge = summary.steel.find(SteelPlace::slider_edge);
-  const auto limit = scene.bearing.steel_of(scene::SteelPart::slider).strain_limit;
-  if (edge == summary.steel.end() || !limit || edge->second.averaged <= *limit) return;
+  if (edge == summary.steel.end() || !edge->second.limit || edge->second.averaged <= *edge->second.limit) return;
   warn(summary,
        fmt::format("the slider's edge is crushed: its plastic strain reaches {:.1f} %, above what its steel is "
                    "trusted to; whether the rim holds is another question",
@@ -82,14 +82,14 @@ void warn_of_slider(const scene::Scene &scene, Summary &summary) {
 }
 
 json strain_limit(const scene::Scene &scene, Summary &summary) {
-  const auto limit = scene::strain_limit(scene.bearing);
-  if (!limit || !summary.max_plastic_strain) return nullptr;
-  const auto [largest, place] = *judged_strain(summary.steel, summary.max_plastic_strain);
-  const bool exceeded = largest > *limit,
-             assumption = scene.bearing.assumed.keys.count("material.steel.strain_limit") > 0;
-  const std::string beyond =
-      fmt::format("above the {:g} % that the steel is trusted to (material.steel.strain_limit{})", 100 * *limit,
-                  assumption ? ", an assumption" : "");
+  if (!summary.max_plastic_strain) return nullptr;
+  const auto [largest, place, own] = *judged_strain(summary.steel, summary.max_plastic_strain);
+  const SteelPlace of = place.value_or(weakest_of_the_rim(scene.bearing));
+  const auto limit = place ? own : limit_at(scene.bearing, of);
+  if (!limit) return nullptr;
+  const bool exceeded = largest > *limit, assumption = limit_is_assumed(scene.bearing, of);
+  const std::string beyond = fmt::format("above the {:g} % that the steel is trusted to ({}{})", 100 * *limit,
+                                         limit_key(scene.bearing, of), assumption ? ", an assumption" : "");
   if (exceeded)
     warn(summary,
          fmt::format("plastic strain {} reaches {:.1f} %, {}: cracks, which no law here has, would change the force",
@@ -146,10 +146,11 @@ void warn_beyond_curve(const scene::Scene &scene, Summary &summary) {
 } // namespace
 
 void judge(const scene::Scene &scene, Summary &summary) {
+  for (auto &[place, at] : summary.steel) at.limit = limit_at(scene.bearing, place);
   summary.extra["beyond_rim"] = beyond_rim(scene, summary);
   summary.extra["beyond_fit"] = beyond_fit(scene, summary);
   summary.extra["strain_limit"] = strain_limit(scene, summary);
-  warn_of_slider(scene, summary);
+  warn_of_slider(summary);
   summary.extra["rim_foot"] = rim_foot(scene, summary);
   warn_beyond_curve(scene, summary);
   warn_of_tipping(scene, summary);

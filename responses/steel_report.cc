@@ -30,13 +30,17 @@ bool is_of_the_rim(SteelPlace place) {
 
 std::optional<JudgedStrain> judged_strain(const SteelReport &report, std::optional<double> of_any_body) {
   std::optional<JudgedStrain> judged;
+  const auto worse = [&](const SteelAtPlace &at) {
+    if (!judged || at.limit.has_value() != judged->limit.has_value()) return !judged || at.limit.has_value();
+    return at.averaged / at.limit.value_or(1) > judged->largest / judged->limit.value_or(1);
+  };
   for (const auto &[place, at] : report)
-    if (is_of_the_rim(place) && (!judged || at.averaged > judged->largest)) judged = {at.averaged, place};
-  if (!judged && of_any_body) judged = {*of_any_body, std::nullopt};
+    if (is_of_the_rim(place) && worse(at)) judged = {at.averaged, place, at.limit};
+  if (!judged && of_any_body) judged = {*of_any_body, std::nullopt, {}};
   return judged;
 }
 
-nlohmann::ordered_json to_json(const SteelReport &report, std::optional<double> limit) {
+nlohmann::ordered_json to_json(const SteelReport &report) {
   nlohmann::ordered_json result = nlohmann::ordered_json::object();
   for (const auto &[place, at] : report) {
     const bool strained = at.largest > 0;
@@ -49,7 +53,7 @@ nlohmann::ordered_json to_json(const SteelReport &report, std::optional<double> 
     entry["averaged_damage_bao_wierzbicki"] = at.averaged_locus_damage;
     entry["place_mm"] = strained ? nlohmann::ordered_json{1e3 * at.place.x(), 1e3 * at.place.y(), 1e3 * at.place.z()}
                                  : nlohmann::ordered_json(nullptr);
-    entry["limit"] = or_null<nlohmann::ordered_json>(limit);
+    entry["limit"] = or_null<nlohmann::ordered_json>(at.limit);
     result[word(place)] = entry;
   }
   return result;
@@ -71,6 +75,7 @@ SteelReport steel_report_in(const nlohmann::json &summary, const std::string &or
       at.averaged_locus_damage = entry.value("averaged_damage_bao_wierzbicki", 0.0);
       if (!entry.at("triaxiality").is_null()) at.triaxiality = entry["triaxiality"];
       if (entry.contains("lode") && !entry["lode"].is_null()) at.lode = entry["lode"];
+      if (entry.contains("limit") && !entry["limit"].is_null()) at.limit = entry["limit"];
       if (!entry.at("place_mm").is_null())
         for (int i = 0; i < 3; ++i) at.place[i] = 1e-3 * entry["place_mm"].at(i).get<double>();
     }

@@ -32,6 +32,7 @@ struct SteelAtPlace {
   double locus_damage = 0;          ///< as `damage`, by Bao and Wierzbicki's locus [-]
   double averaged_locus_damage = 0; ///< as `averaged_damage` [-]
   Eigen::Vector3d place{0, 0, 0};   ///< of the largest strain, in the mesh before it is strained [m]
+  std::optional<double> limit = {}; ///< plastic strain that the steel there is trusted to [-]; none: not judged
 };
 
 /// Of the places that are meshed.
@@ -42,15 +43,16 @@ void keep_worst(SteelReport &worst, const SteelReport &other);
 /// Whether the place belongs to the rim's side, which the question is about: all but the slider's edge.
 bool is_of_the_rim(SteelPlace place);
 
-/// The strain that is held against the limit: the largest averaged one of the rim's side.
+/// The strain that is held against its limit: of the averaged ones of the rim's side that which has most of its place's
+/// limit, the largest where none has a limit.
 struct JudgedStrain {
-  double largest;                  ///< [-]
-  std::optional<SteelPlace> place; ///< none: not known, the largest of a point of any body
+  double largest;                   ///< [-]
+  std::optional<SteelPlace> place;  ///< none: not known, the largest of a point of any body
+  std::optional<double> limit = {}; ///< of the place [-]; none: not judged
 };
 /// `of_any_body` where the report has nothing of the rim's side.
 std::optional<JudgedStrain> judged_strain(const SteelReport &report, std::optional<double> of_any_body);
-/// `limit`: plastic strain that the steel is trusted to; none: null.
-nlohmann::ordered_json to_json(const SteelReport &report, std::optional<double> limit);
+nlohmann::ordered_json to_json(const SteelReport &report);
 /// Of a summary.json; empty where it has none. Throws DataError, naming `origin`, for one that cannot be read.
 SteelReport steel_report_in(const nlohmann::json &summary, const std::string &origin);
 

@@ -149,11 +149,7 @@ nlohmann::json to_json(const Summary &s) {
     json["time_split_s"][part] = found == s.time_split.end() ? 0.0 : found->second;
   }
   if (s.status != RunStatus::done) json["reason"] = s.reason;
-  if (!s.steel.empty()) {
-    const auto &judged = s.extra.is_object() && s.extra.contains("strain_limit") ? s.extra["strain_limit"] : json;
-    json["steel"] =
-        to_json(s.steel, judged.contains("limit") ? std::optional(judged["limit"].get<double>()) : std::nullopt);
-  }
+  if (!s.steel.empty()) json["steel"] = to_json(s.steel);
   if (s.extra.is_object()) json.update(s.extra);
   return json;
 }

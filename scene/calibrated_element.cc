@@ -83,6 +83,14 @@ void read_stack(const json &terms, Element &element) {
   }
 }
 
+/// Where the joint at the rim's foot goes.
+void read_foot(const json &foot, Element &element) {
+  const json &joint = member(foot, "joint"), &force = member(foot, "goes_at_force_kN");
+  if (joint.is_string() && !joint.get<std::string>().empty())
+    element.values["foot_joint"] = toml_quoted(joint.get<std::string>());
+  if (!force.is_null()) element.number("foot_force_kN", force);
+}
+
 void read_answer(const json &answer, Element &element) {
   const json &law = member(answer, "law");
   if (!member(law, "name").is_string()) element.fail("answer.law.name is not a word");
@@ -97,6 +105,7 @@ void read_answer(const json &answer, Element &element) {
     element.number(member(law, "belongs_to") == "mass" ? "fitted_mass_kg" : "fitted_speeds_mass_kg", mass);
   if (const json &rim = member(answer, "rim_identity"); rim.is_string()) element.rim = rim.get<std::string>();
   if (!element.rim.empty()) element.values["fitted_rim"] = toml_quoted(element.rim);
+  read_foot(member(answer, "rim_foot"), element);
   read_stack(member(answer, "stack"), element);
   if (const json &rims = member(answer, "rims_in_series"); rims == 2) element.rims = 2;
 }
@@ -207,7 +216,7 @@ const std::vector<std::string> &element_keys() {
     std::vector<std::string> list{"impact_law", "reference_speed_m_per_s"};
     for (const auto &[name, parameter] : parameters()) list.emplace_back(parameter.key);
     for (const char *key : {"fitted_from_m_per_s", "fitted_to_m_per_s", "fitted_mass_kg", "fitted_speeds_mass_kg",
-                            "fitted_rim", "taken_from"})
+                            "fitted_rim", "foot_joint", "foot_force_kN", "taken_from"})
       list.emplace_back(key);
     return list;
   }();
@@ -217,8 +226,8 @@ const std::vector<std::string> &element_keys() {
 std::vector<std::string> typed_element_keys(const TomlFile &file) {
   std::vector<std::string> typed;
   for (const auto &key : element_keys())
-    if (!key.starts_with("fitted_") && key != "taken_from" && file.is_set("reduced." + key) &&
-        file.find("reduced." + key))
+    if (!key.starts_with("fitted_") && !key.starts_with("foot_") && key != "taken_from" &&
+        file.is_set("reduced." + key) && file.find("reduced." + key))
       typed.push_back("reduced." + key);
   return typed;
 }

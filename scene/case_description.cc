@@ -67,6 +67,7 @@ std::string range_of(const ReducedSettings &r) {
   std::string text;
   if (r.fitted_from && r.fitted_to) text += fmt::format("; fitted from {:g} to {:g} m/s", *r.fitted_from, *r.fitted_to);
   if (r.fitted_speeds_mass) text += fmt::format(" under {:g} kg", *r.fitted_speeds_mass);
+  if (r.foot_force) text += fmt::format("; ends at {:.4g} kN, where the rim's foot goes", *r.foot_force / 1e3);
   if (r.fitted_mass) text += fmt::format("; for {:g} kg only", *r.fitted_mass);
   return text;
 }
@@ -124,6 +125,7 @@ json case_json(const Scene &scene) {
             {"fitted_to_m_per_s", or_null(r.fitted_to)},
             {"fitted_mass_kg", or_null(r.fitted_mass)},
             {"fitted_speeds_mass_kg", or_null(r.fitted_speeds_mass)},
+            {"foot_force_kN", r.foot_force ? json(*r.foot_force / 1e3) : json(nullptr)},
             {"fitted_rim", r.fitted_rim.empty() ? json(nullptr) : json(r.fitted_rim)}}}};
 }
 

@@ -16,7 +16,7 @@ std::string foot_sentence(const Bearing &bearing);
 /// The impact element alone: its law, numbers and where they come from.
 std::string element_line(const Scene &scene);
 /// The same as `load`, `motion` and `impact_element` (law, every number of it, source, fitted_from_m_per_s,
-/// fitted_to_m_per_s, fitted_mass_kg, fitted_rim: null where not known).
+/// fitted_to_m_per_s, fitted_mass_kg, foot_force_kN, fitted_rim: null where not known).
 nlohmann::json case_json(const Scene &scene);
 
 } // namespace rimpact::scene

@@ -48,6 +48,10 @@ struct ReducedSettings : laws::LawNumbers {
   std::optional<double> fitted_speeds_mass =
       {}; ///< of the rim's own law: supported mass of fitted_from and fitted_to [kg]; at another they move as 1/sqrt(m)
   std::string fitted_rim = {}; ///< rim_identity() of the bearing it was fitted to; empty: not known
+  /// Of the rim [N], > 0: where the joint at its foot goes, and the law ends; none: no run it was fitted to went so
+  /// far.
+  std::optional<double> foot_force = {};
+  std::string foot_joint = {}; ///< strength_in_words() of that joint; empty: one piece with the plate, or not known
   Friction friction = Friction::coulomb;
   double elastic_slip = 1e-4; ///< q of the Park-Wen state [m] (key elastic_slip_mm)
   double mu_fast = 0.07, mu_slow = 0.07;
@@ -69,7 +73,10 @@ struct ReducedSettings : laws::LawNumbers {
   void forget_fit() {
     calibration.clear(), fitted_rim.clear();
     fitted_from.reset(), fitted_to.reset(), fitted_mass.reset(), fitted_speeds_mass.reset();
+    forget_foot();
   }
+  /// It is flown, or fitted, beyond the joint at the rim's foot.
+  void forget_foot() { foot_force.reset(), foot_joint.clear(); }
   /// Of the rim, for a supported mass [kg]. Throws as laws::rim_element.
   laws::RimElement element(double supported_mass) const {
     return laws::rim_element(*impact_law, *this, supported_mass);

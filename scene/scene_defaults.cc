@@ -7,21 +7,24 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <utility>
 
 namespace rimpact::scene {
 namespace {
 
 /// What became of a tensile test's rows.
 void remark_on_necking(Scene &scene) {
-  const Material &steel = scene.bearing.steel;
-  if (!steel.yield || steel.hardening.law != HardeningLaw::table) return;
-  const FlowCurve curve = flow_curve(steel);
-  if (curve.necks_at)
-    scene.remarks.push_back(fmt::format(
-        "the test piece of bearing.material.steel.curve necks at a strain of {:.3g}, where its stress is largest: the "
-        "{} row(s) beyond are left out, for they are of no even strain. Beyond a plastic strain of {:.3g} the true "
-        "stress is held at {:.4g} MPa",
-        *curve.necks_at, curve.n_cut, curve.rows.back()[0], curve.rows.back()[1] / 1e6));
+  for (const auto &[table, steel] : steels_of(std::as_const(scene.bearing))) {
+    const bool inherited = steel != &scene.bearing.steel && steel->hardening == scene.bearing.steel.hardening;
+    if (!steel->yield || steel->hardening.law != HardeningLaw::table || inherited) continue;
+    const FlowCurve curve = flow_curve(*steel);
+    if (curve.necks_at)
+      scene.remarks.push_back(fmt::format(
+          "the test piece of bearing.material.{}.curve necks at a strain of {:.3g}, where its stress is largest: the "
+          "{} row(s) beyond are left out, for they are of no even strain. Beyond a plastic strain of {:.3g} the true "
+          "stress is held at {:.4g} MPa",
+          table, *curve.necks_at, curve.n_cut, curve.rows.back()[0], curve.rows.back()[1] / 1e6));
+  }
 }
 
 /// A socket as deep and wide, for its slider, as the built-in bearing's.

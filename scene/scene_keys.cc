@@ -88,6 +88,12 @@ void visit_origin(KeyVisitor &v, ReducedSettings &r) {
     v.limit({"fitted_speeds_mass_kg", "of a rim's own law: supported mass of those speeds; they move as 1/sqrt(m)"},
             r.fitted_speeds_mass, si, positive);
   if (v.wants(!r.fitted_rim.empty())) v.text({"fitted_rim", "the rim it was fitted to"}, r.fitted_rim);
+  if (v.wants(!r.foot_joint.empty()))
+    v.text({"foot_joint", "what holds that rim on its plate; one piece, or not known, where it is left out"},
+           r.foot_joint);
+  if (v.wants(r.foot_force.has_value()))
+    v.limit({"foot_force_kN", "of the rim, at which that joint goes: a run of a reduced model stops there"},
+            r.foot_force, kilo, positive);
 }
 
 void visit(KeyVisitor &v, ReducedSettings &r) {

@@ -21,7 +21,8 @@ double pad_elastic_slip(const Bearing &bearing, double normal_force, double mu) 
 
 double pad_stiffness(const Bearing &bearing) {
   if (!bearing.has_pad())
-    return bearing.steel.E * std::numbers::pi * std::pow(bearing.slider.diameter / 2, 2) / bearing.slider.height;
+    return bearing.steel_of(SteelPart::slider).E * std::numbers::pi * std::pow(bearing.slider.diameter / 2, 2) /
+           bearing.slider.height;
   return bearing.ertalyte.E * bearing.pad_area() / bearing.pad.thickness;
 }
 

@@ -118,6 +118,8 @@ void inherit_marks(const TomlFile &file, const std::string &prefix, const std::s
   marks.keys = keys;
 }
 
+} // namespace
+
 double thickness_of(const Bearing &b, SteelPart part) {
   switch (part) {
   case SteelPart::rim:
@@ -129,8 +131,6 @@ double thickness_of(const Bearing &b, SteelPart part) {
   }
   return b.double_concave() ? b.slider.height : b.slider.top - b.slider.bottom;
 }
-
-} // namespace
 
 void read_flow_curve(const TomlFile &file, const std::string &table, Hardening &hardening, const std::string &folder) {
   const std::string name = hardening.curve.file, key = table + "curve";

@@ -24,6 +24,9 @@ void resolve_slope(const TomlFile &file, const std::string &table, Material &mat
 /// is the bearing's steel's or, with a grade, the grade's. After the bearing's steel is settled. `folder`: of the file.
 void read_part_steels(const TomlFile &file, const std::string &prefix, const std::string &folder, Bearing &bearing);
 
+/// Of a part, which a grade's numbers go by [m].
+double thickness_of(const Bearing &bearing, SteelPart part);
+
 /// Puts the rows of a steel's file in its place. `table`: prefix of its keys.
 void read_flow_curve(const TomlFile &file, const std::string &table, Hardening &hardening, const std::string &folder);
 

@@ -1,5 +1,6 @@
 #include "scene/steel_doubts.h"
 
+#include "scene/steel_defaults.h"
 #include "scene/steel_grades.h"
 #include <algorithm>
 #include <cmath>
@@ -31,25 +32,32 @@ std::vector<std::string> own_numbers(const Material &steel, const Material &name
   return own;
 }
 
-} // namespace
-
-std::vector<std::string> doubts_of_grade(const Bearing &bearing) {
-  const Material &steel = bearing.steel;
-  if (!steel.has_grade() || !steel.yield) return {};
+/// `table`: of the steel, in bearing.material; `part`: whose thickness [m] its numbers go by.
+void add_doubts(const std::string &table, const Material &steel, const std::string &part, double thickness,
+                std::vector<std::string> &found) {
+  if (!steel.has_grade() || !steel.yield) return;
   const SteelGrade &grade = steel_grade(steel.grade);
-  std::vector<std::string> found;
-  if (const auto own = own_numbers(steel, steel_of(grade, bearing.rim.thickness)); !own.empty())
+  if (const auto own = own_numbers(steel, steel_of(grade, thickness)); !own.empty())
     found.push_back(
-        fmt::format("bearing.material.steel of grade {}: the file's own numbers stand in the grade's place: "
-                    "{}. Left out, they are the grade's",
-                    grade.name, fmt::join(own, ", ")));
+        fmt::format("bearing.material.{} of grade {}: the file's own numbers stand in the grade's place: {}. "
+                    "Left out, they are the grade's",
+                    table, grade.name, fmt::join(own, ", ")));
   double most = HUGE_VAL;
   for (const auto &[key, number] : grade.numbers)
     if (!number.by_thickness.empty()) most = std::min(most, number.by_thickness.back()[0]);
-  if (bearing.rim.thickness > most)
-    found.push_back(fmt::format("bearing.rim.thickness_mm = {:g} is beyond the {:g} mm that the tables of grade {} go "
-                                "to: the last values are taken",
-                                1e3 * bearing.rim.thickness, 1e3 * most, grade.name));
+  if (thickness > most)
+    found.push_back(fmt::format("{} is {:g} mm thick, beyond the {:g} mm that the tables of grade {} go to "
+                                "(bearing.material.{}): the last values are taken",
+                                part, 1e3 * thickness, 1e3 * most, grade.name, table));
+}
+
+} // namespace
+
+std::vector<std::string> doubts_of_grade(const Bearing &bearing) {
+  std::vector<std::string> found;
+  add_doubts("steel", bearing.steel, "the rim", bearing.rim.thickness, found);
+  for (const auto &[part, steel] : bearing.part_steels)
+    add_doubts(word(part), steel, description(part), thickness_of(bearing, part), found);
   return found;
 }
 

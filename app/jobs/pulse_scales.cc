@@ -1,5 +1,6 @@
 #include "app/jobs/pulse_scales.h"
 
+#include "reduced_models/bearings/foot_limit.h"
 #include "reduced_models/bearings/pad_on_dish.h"
 #include "reduced_models/bearings/physical_model.h"
 #include "reduced_models/simulate.h"
@@ -57,6 +58,7 @@ std::optional<double> scale_for(scene::Scene &scene, double first_touch, double 
 
 PulseScales pulse_scales(scene::Scene pulse, const SpeedRange &range) {
   PulseScales result;
+  pulse = reduced::in_one_piece(std::move(pulse)); // finite elements go on where its foot goes
   if (pulse.reduced.k_i == 0) pulse.reduced.k_i = scene::ReducedSettings{}.k_i; // a scout must feel the rim
   if (has_dish(pulse.model.rung)) reduced::add_stack_terms(pulse);
   result.first_touch = reduced::critical_scale(pulse, smallest_scale, largest_scale);

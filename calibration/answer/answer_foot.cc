@@ -17,6 +17,14 @@ FootOfRuns of_rows(std::vector<FootOfRuns::Row> rows) {
   return result;
 }
 
+std::optional<double> least_force(const AnswerFoot &f) {
+  std::optional<double> least;
+  for (const FootOfRuns *steel : {&f.runs, &f.twins})
+    for (const auto &row : steel->rows)
+      if (const auto &force = row.foot.goes_at_force) least = std::min(least.value_or(*force), *force);
+  return least;
+}
+
 /// "at 0.5 m/s each mm of it carries 3.10 kN of shear and 118 kN mm of moment".
 std::string carried(const FootOfRuns::Row &row) {
   constexpr double kN = 1e3, kN_per_mm = 1e6;
@@ -52,14 +60,15 @@ std::string sentence(const AnswerFoot &f) {
 std::string doubt(const AnswerFoot &f) {
   const auto goes = f.goes_at(), borne = f.borne_to();
   if (!goes) return {};
-  const std::string joint = in_words(f.connection);
+  const std::string joint = in_words(f.connection), force = fmt::format("{:.4g} kN", *f.goes_at_force / 1e3);
   if (!borne)
-    return fmt::format("The joint at the rim's foot ({}) goes at {:.3g} m/s or below: the runs are those of a rim in "
-                       "one piece with its plate, and the law serves no other.",
-                       joint, *goes);
-  return fmt::format("The joint at the rim's foot ({}) goes between {:.3g} and {:.3g} m/s: runs beyond are those of a "
-                     "rim in one piece with its plate, and the law ends at {:.3g} m/s.",
-                     joint, *borne, *goes, *borne);
+    return fmt::format(
+        "The joint at the rim's foot ({}) goes at {:.3g} m/s or below, at a rim force of {}: runs beyond "
+        "are those of a rim in one piece with its plate, and the law ends at that force.",
+        joint, *goes, force);
+  return fmt::format("The joint at the rim's foot ({}) goes between {:.3g} and {:.3g} m/s, at a rim force of {}: runs "
+                     "beyond are those of a rim in one piece with its plate, and the law ends at {:.3g} m/s.",
+                     joint, *borne, *goes, force, *borne);
 }
 
 } // namespace
@@ -94,8 +103,12 @@ std::optional<AnswerFoot> answer_foot(const Calibration &c, const std::vector<co
     if (const auto &foot = c.facts.at(run->folder).foot; foot && !run->impacts.empty())
       rows.push_back({run->approach_speed(), *foot});
   if (rows.empty()) return {};
-  AnswerFoot result{
-      .connection = c.scene.bearing.rim.connection, .runs = of_rows(rows), .twins = {}, .sentence = {}, .doubt = {}};
+  AnswerFoot result{.connection = c.scene.bearing.rim.connection,
+                    .runs = of_rows(rows),
+                    .twins = {},
+                    .goes_at_force = {},
+                    .sentence = {},
+                    .doubt = {}};
   if (band) {
     result.twins_are_fast = band->runs_are_static;
     for (const SteelTwin &twin : band->twins)
@@ -103,6 +116,7 @@ std::optional<AnswerFoot> answer_foot(const Calibration &c, const std::vector<co
         twins.push_back({twin.speed, *foot});
     result.twins = of_rows(twins);
   }
+  result.goes_at_force = least_force(result);
   result.sentence = sentence(result), result.doubt = doubt(result);
   return result;
 }

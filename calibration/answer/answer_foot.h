@@ -24,6 +24,8 @@ struct AnswerFoot {
   scene::RimConnection connection;
   FootOfRuns runs, twins; ///< twins: with the other steel; empty: none was run
   bool twins_are_fast = true;
+  std::optional<double>
+      goes_at_force; ///< of the rim, the least of all runs of either steel [N]; none: the foot bears all
   std::string sentence;
   std::string doubt; ///< of a law whose runs go on where the joint does not; else empty
 

@@ -200,6 +200,10 @@ json foot_rows_json(const FootOfRuns &runs) {
 json foot_json(const AnswerFoot &foot) {
   return {{"connection", word(foot.connection.kind)},
           {"in_words", in_words(foot.connection)},
+          {"joint", strength_in_words(foot.connection)},
+          {"goes_at_force_kN", foot.goes_at_force ? json(*foot.goes_at_force / 1e3) : json(nullptr)},
+          {"goes_at_m_s", number(foot.goes_at())},
+          {"borne_to_m_s", number(foot.borne_to())},
           {"rows", foot_rows_json(foot.runs)},
           {"gone", passing_json(foot.runs.gone)},
           {"twins", foot_rows_json(foot.twins)},

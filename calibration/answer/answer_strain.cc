@@ -1,6 +1,7 @@
 // Whether the rim's steel bears the impacts of the runs, and what became of the slider's edge.
 #include "calibration/answer/answer_strain.h"
 #include "calibration/laws/percent.h"
+#include "responses/steel_limits.h"
 #include <algorithm>
 #include <fmt/format.h>
 #include <map>
@@ -53,8 +54,7 @@ PlaceStrain place_strain(SteelPlace place, const BySpeed &damage, const BySpeed 
 }
 
 /// Of all runs, means over averaging_radius.
-std::vector<PlaceStrain> by_places(const Calibration &c, const std::vector<const StoredRun *> &runs, double limit,
-                                   double limit_of_slider) {
+std::vector<PlaceStrain> by_places(const Calibration &c, const std::vector<const StoredRun *> &runs, double limit) {
   std::map<SteelPlace, std::pair<BySpeed, BySpeed>> values;
   for (const StoredRun *run : runs) {
     if (run->impacts.empty()) continue;
@@ -66,7 +66,7 @@ std::vector<PlaceStrain> by_places(const Calibration &c, const std::vector<const
   std::vector<PlaceStrain> result;
   for (auto &[place, both] : values) {
     std::sort(both.first.begin(), both.first.end()), std::sort(both.second.begin(), both.second.end());
-    result.push_back(place_strain(place, both.first, both.second, is_of_the_rim(place) ? limit : limit_of_slider));
+    result.push_back(place_strain(place, both.first, both.second, limit_at(c.scene.bearing, place).value_or(limit)));
   }
   return result;
 }
@@ -98,16 +98,18 @@ std::optional<AnswerStrain> answer_strain(const Calibration &c, const std::vecto
   const auto limit = scene::strain_limit(bearing);
   if (s.rows.empty() || !limit) return {};
   std::sort(s.rows.begin(), s.rows.end(), [](const auto &a, const auto &b) { return a.speed < b.speed; });
-  s.limit = *limit;
-  s.limit_is_assumption = bearing.assumed.keys.empty() || bearing.assumed.keys.count("material.steel.strain_limit") > 0;
+  const auto share = [&](const JudgedStrain &strain) { return strain.largest / strain.limit.value_or(*limit); };
   for (const auto &row : s.rows)
-    if (row.strain.largest > s.largest.largest) s.largest = row.strain;
+    if (share(row.strain) > share(s.largest)) s.largest = row.strain;
   for (const auto &row : s.rows) {
-    if (row.strain.largest > s.limit) break;
+    if (share(row.strain) > 1) break;
     s.largest_speed_below_limit = row.speed;
   }
-  const double limit_of_slider = bearing.steel_of(scene::SteelPart::slider).strain_limit.value_or(s.limit);
-  s.places = by_places(c, runs, s.limit, limit_of_slider);
+  s.limit = s.largest.limit.value_or(*limit);
+  s.limit_is_assumption =
+      bearing.assumed.keys.empty() || limit_is_assumed(bearing, s.largest.place.value_or(weakest_of_the_rim(bearing)));
+  const double limit_of_slider = limit_at(bearing, SteelPlace::slider_edge).value_or(*limit);
+  s.places = by_places(c, runs, *limit);
   s.sentence = sentence(s);
   if (crack.place)
     s.crack_sentence = fmt::format(

@@ -100,6 +100,9 @@ std::string to_toml_fragment(const Answer &a) {
   text +=
       fmt::format("{} = {:.9g}\n", a.law.of_the_mass ? "fitted_mass_kg" : "fitted_speeds_mass_kg", a.scene.load.mass);
   text += fmt::format("fitted_rim = \"{}\"\n", a.rim_identity);
+  if (a.foot && a.foot->connection.kind != scene::ConnectionKind::monolithic)
+    text += fmt::format("foot_joint = \"{}\"\n", strength_in_words(a.foot->connection));
+  if (a.foot && a.foot->goes_at_force) text += fmt::format("foot_force_kN = {:.9g}\n", *a.foot->goes_at_force / 1e3);
   const std::string load = others(a, "load");
   return load.empty() ? text : text + "[load]\n" + load;
 }

@@ -84,6 +84,7 @@ StoredRun make_run(const std::string &folder, const scene::Scene &scene, Respons
                 .notes = {},
                 .noise = {},
                 .doubts = {}};
+  run.scene.reduced.forget_foot(); // laws are fitted to all that it holds
   if (run.response.size() < 2) throw DataError(folder + ": the response has fewer than two samples");
   if (options.measured) {
     cut_measured(run, options);

@@ -155,9 +155,30 @@ void set_load(ExportedRim &rim, const json &answer, const ExportChoice &choice) 
                                  : 1e3 * positive_at(answer, "vertical_kN", "answer");
 }
 
+/// Where the joint at the rim's foot goes, a law's speeds end at the fastest run that it bears.
+void end_at_foot(ExportedRim &rim, const json &foot, double from, double &to) {
+  if (!foot.is_object()) return;
+  const std::string where = "answer.rim_foot", joint = plain_text(foot.value("in_words", std::string()));
+  if (const auto force = number_or_none(foot, "goes_at_force_kN", where.c_str()))
+    rim.foot =
+        fmt::format("ENDS at {:.4g} kN of the rim's force: there the joint at its foot, {}, goes and the wall breaks "
+                    "off. Stop an analysis that passes it; nothing beyond is a result.",
+                    *force, joint);
+  const auto goes = number_or_none(foot, "goes_at_m_s", where.c_str()),
+             borne = number_or_none(foot, "borne_to_m_s", where.c_str());
+  if (!goes) return;
+  if (borne) to = std::min(to, *borne);
+  if (borne && *borne >= from) return;
+  throw InputError(
+      fmt::format("the joint at the rim's foot, {}, goes at {:.3g} m/s or below, and the slowest speed of this "
+                  "law is {:.3g} m/s: there is no law to export; run slower impacts, or give "
+                  "bearing.rim.connection a stronger joint",
+                  joint, *goes, from));
+}
+
 /// Speeds the law is exported for. At another mass a law that knows no rate reaches the same penetrations at other
 /// speeds: v sqrt(m).
-void set_range(ExportedRim &rim, const json &law, const std::string &where) {
+void set_range(ExportedRim &rim, const json &law, const std::string &where, const json &foot) {
   auto from = number_or_none(law, "valid_from_m_s", where.c_str()),
        to = number_or_none(law, "valid_to_m_s", where.c_str());
   if (!from || !to ||
@@ -166,6 +187,7 @@ void set_range(ExportedRim &rim, const json &law, const std::string &where) {
   if (!(*from > 0 && *to >= *from))
     throw DataError(
         fmt::format("calibration.json: {}: speeds {:g} to {:g} m/s must be > 0 and rise", where, *from, *to));
+  end_at_foot(rim, foot, *from, *to);
   const double scale = rim.element().law->yields ? std::sqrt(rim.fitted_mass / rim.mass) : 1;
   rim.from = scale * *from, rim.to = rim.tuned_to = scale * *to;
 }
@@ -197,7 +219,7 @@ ExportedRim exported_rim(const json &calibration, const ExportChoice &choice) tr
   const json capacity =
       element.contains("lateral_capacity_m") ? element : answer["law"].value("element", json::object());
   rim.lateral_capacity = positive_at(capacity, "lateral_capacity_m", "answer.law.element");
-  set_range(rim, source.law, source.where);
+  set_range(rim, source.law, source.where, answer.value("rim_foot", json()));
   const auto word = [&](const char *key) {
     const json v = answer.value(key, json());
     return v.is_string() ? plain_text(v.get<std::string>()) : std::string();

@@ -27,7 +27,8 @@ struct ExportedRim {
   double tuned_to =
       0; ///< fastest touch that springs and links are tuned to [m/s], >= to: those of the check's pulses too
   static constexpr double least_span =
-      1.5; ///< of `to` over `from`: where the law holds over less, the speeds fitted are taken
+      1.5;          ///< of `to` over `from`: where the law holds over less, the speeds fitted are taken
+  std::string foot; ///< where its law ends because the joint at its foot goes, a sentence; empty: it does not
   std::string bearing, rim_identity;
   std::vector<std::string> statement; ///< bearing, load, law, range, errors, doubts: plain sentences in this order
 
@@ -36,7 +37,8 @@ struct ExportedRim {
 };
 
 /// Throws DataError where calibration.json has no answer or a bad number. Throws InputError where `choice` asks for a
-/// law that was not ranked, a pair that was not found, or a law of one mass at another (more than 1 % off).
+/// law that was not ranked, a pair that was not found, or a law of one mass at another (more than 1 % off). Throws
+/// InputError for a law whose speeds all break the rim's foot.
 ExportedRim exported_rim(const nlohmann::json &calibration, const ExportChoice &choice);
 
 /// The value at `key` of `object`, or at its "value"; `where` names the object in messages.

@@ -148,6 +148,7 @@ std::vector<std::string> statement_of(const ExportedRim &rim, const json &answer
     for (const auto &[name, fitted] : parameters.items())
       if (fitted.is_object()) lines.push_back(parameter_line(name, fitted));
   add_range(lines, rim, law);
+  if (!rim.foot.empty()) lines.push_back(rim.foot);
   add_errors(lines, answer);
   add_steel(lines, answer);
   add_doubts(lines, rim, answer);

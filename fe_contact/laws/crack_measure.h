@@ -5,6 +5,10 @@
 ///     C1 / (1 + 3 eta)                    -1/3 < eta <= 0
 ///     C1 + (C2 - C1) (eta / eta_0)^2         0 < eta <= eta_0
 ///     C2 eta_0 / eta                     eta_0 < eta
+/// Steel with a backstress flows at any equivalent stress, zero too, where mean stress over it has no bound and the
+/// integral none: there the yield surface's radius stands in its place, the resistance of the steel around a void, by
+/// which Rice and Tracey (Journal of the Mechanics and Physics of Solids 17, 1969) divide. Both are the same without a
+/// backstress.
 /// D = integral of d alpha / eps_f(eta); a crack begins at D = 1. Below eta = -1/3 nothing cracks by either (Bao and
 /// Wierzbicki, Engineering Fracture Mechanics 72, 2005). Rate, temperature and Lode angle are left out.
 #pragma once

@@ -49,9 +49,11 @@ struct StressAndTangent {
 
 struct IsochoricResult {
   StressAndTangent response;
-  J2State state;          ///< at the end of the step
-  double energy = 0.0;    ///< elastic, isochoric [J/m^3]
-  double mises = 0.0;     ///< equivalent stress sqrt(3/2) |dev tau| where it flows [Pa]
+  J2State state;       ///< at the end of the step
+  double energy = 0.0; ///< elastic, isochoric [J/m^3]
+  /// Where it flows: the equivalent stress sqrt(3/2) |dev tau|, and no less than the yield surface's radius, which it
+  /// can fall below about a backstress [Pa]. Triaxiality and Lode parameter divide by it (crack_measure.h).
+  double mises = 0.0;
   bool admissible = true; ///< false: det F <= 0 or not finite; nothing else is then valid
 };
 

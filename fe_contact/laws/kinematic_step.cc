@@ -1,6 +1,7 @@
 #include "fe_contact/laws/kinematic_step.h"
 
 #include "fe_contact/laws/kinematic_return.h"
+#include <algorithm>
 #include <cmath>
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -107,8 +108,9 @@ IsochoricResult kinematic_step(const HenckyJ2 &law, const J2State &old, const Ma
   if (with_tangent) result.response.tangent = turn * tangent_in_axes(trial, stress, returned.moduli) * turn.transpose();
   result.state = old;
   result.state.overstress = returned.overstress;
-  result.mises = std::sqrt(1.5) * stress.norm();
   if (!(returned.flow > 0)) return result;
+  const double radius = std::sqrt(1.5) * (stress - returned.back[0] - returned.back[1]).norm();
+  result.mises = std::max(std::sqrt(1.5) * stress.norm(), radius);
   advance(result.state, returned, trial, F);
   result.state.alpha += returned.flow;
   result.state.lode += lode_parameter(from_tensor(stress).determinant(), result.mises) * returned.flow;

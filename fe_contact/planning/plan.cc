@@ -3,6 +3,7 @@
 #include "fe_contact/planning/stack_plan.h"
 
 #include "io/files/error.h"
+#include "reduced_models/bearings/foot_limit.h"
 #include "reduced_models/bearings/pad_on_dish.h"
 #include "reduced_models/bearings/physical_model.h"
 #include "reduced_models/simulate.h"
@@ -108,6 +109,7 @@ void add_stack_note(Plan &plan, scene::Scene &stack) {
 /// The scout: the reduced model, as the scene has it and with the extra terms that a real stack adds.
 void scout(Plan &plan, scene::Scene scene) {
   if (scene.reduced.k_i == 0) scene.reduced.k_i = scene::ReducedSettings{}.k_i; // a scout must feel the rim
+  scene = reduced::in_one_piece(std::move(scene)); // finite elements go on where its foot goes
   const auto run = reduced::simulate(scene);
   add_impacts(plan, run.summary, run.response);
   plan.closest_gap = scene.bearing.lateral_capacity() - run.summary.peak_displacement;

@@ -1,6 +1,7 @@
 // What the reduced model sees before rungs rigid-dish and full are run: impacts, near passes, where sliding ends.
 #include "fe_contact/planning/stack_scout.h"
 
+#include "reduced_models/bearings/foot_limit.h"
 #include "reduced_models/bearings/pad_on_dish.h"
 #include "reduced_models/bearings/physical_model.h"
 #include "reduced_models/simulate.h"
@@ -64,6 +65,7 @@ void scout_stack(Plan &plan, scene::Scene scene) {
   constexpr double margin = 0.02, may_touch = 0.005; // a pass this near is meshed [m]
   reduced::add_stack_terms(scene);
   if (scene.reduced.k_i == 0) scene.reduced.k_i = scene::ReducedSettings{}.k_i; // a scout must feel the rim
+  scene = reduced::in_one_piece(std::move(scene)); // finite elements go on where its foot goes
   const auto run = reduced::simulate(scene);
   add_impacts(plan, run.summary, run.response);
   plan.moves_from = begin_of_sliding(run.response);

@@ -70,7 +70,8 @@ std::vector<Pair> stack_pairs(const BearingModel &model, RimState rim) {
   std::vector<Pair> pairs{
       {Role::dish, Surface::pad_face, fe::dish(surface, bearing.surface.planar_radius), pad_on_steel},
       {Role::socket, Surface::foot_cap, sphere(Eigen::Vector3d::Zero(), bearing.foot.cap_radius, Side::inside),
-       penalised(model, bearing.steel.E, cap_cell, friction(mu.steel_steel, mu.steel_steel_slow))}};
+       penalised(model, bearing.steel_of(scene::SteelPart::slider).E, cap_cell,
+                 friction(mu.steel_steel, mu.steel_steel_slow))}};
   // The socket does not turn, so it carries the sphere; the foot's cap turns under it.
   pairs[1].options.carrier_faces = Surface::socket;
   if (bearing.pad_is_seated())

@@ -2,6 +2,7 @@
 
 #include "fe_contact/rungs/bearing_model.h"
 #include "meshes/rim_mesh.h"
+#include <algorithm>
 
 namespace rimpact::fe {
 namespace {
@@ -59,8 +60,9 @@ const Rung rungs::rim{
 Pair wall_pair(const BearingModel &model, double cell, double stiffer) {
   const scene::Bearing &bearing = model.bearing;
   const scene::ContactFriction &mu = bearing.contact;
+  const double softer = std::min(bearing.rim_steel().E, bearing.steel_of(scene::SteelPart::slider).E);
   SurfaceContactOptions options =
-      penalised(model, bearing.steel.E, cell, {mu.rim, mu.rim_slow.value_or(mu.rim), mu.rate}, stiffer);
+      penalised(model, softer, cell, {mu.rim, mu.rim_slow.value_or(mu.rim), mu.rate}, stiffer);
   options.carrier_faces = Surface::rim_wall;
   const double radius = bearing.wall_radius();
   return {Role::wall, Surface::slider_side,

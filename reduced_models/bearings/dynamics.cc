@@ -46,6 +46,7 @@ Dynamics::Dynamics(const scene::Scene &scene, bool with_rim, double capacity)
   }
   if (with_rim && r.k_i > 0)
     rim = r.impact_law->pushed ? laws::curve_element(rim_curve_of(scene)) : r.element(supported_mass);
+  if (has_rim()) foot = foot_limit(scene);
   dents = dent_shape(scene);
   if (reading == NormalForce::pad)
     pad_stiffness = scene::pad_stiffness(scene.bearing), pad_retardation = scene::pad_retardation(scene);

@@ -19,6 +19,7 @@
 #include "laws/friction/regularised.h"
 #include "laws/friction/sliding_heat.h"
 #include "laws/impact/catalogue.h"
+#include "reduced_models/bearings/foot_limit.h"
 #include "reduced_models/bearings/physical_model.h"
 #include "reduced_models/bearings/riding_height.h"
 #include "reduced_models/structures/superstructure.h"
@@ -142,8 +143,8 @@ public:
   RimContact rim_after(Event event, const Mode &mode, double t, const State &y) const;
   /// By the rim on a pressing slider at u, v (any |u| > 0).
   RimPush rim_push(const Mode &mode, double t, const Eigen::Vector2d &u, const Eigen::Vector2d &v) const;
-  /// Throws SolverStopped where the rim's element holds no longer for a slider beyond L_c: thrown over the rim, or past
-  /// a curve's limits (curve_limits.h).
+  /// Throws SolverStopped where the rim's element holds no longer for a slider beyond L_c: thrown over the rim, the
+  /// joint at its foot gone (foot_limit.h), or past a curve's limits (curve_limits.h).
   void keep_to_rim(const Mode &mode, double t, const State &y) const;
   /// Branch of a state at the start of a run or after a jump: decides between sliding, stuck and airborne.
   void update_mode(Mode &mode, double t, State &y) const;
@@ -196,6 +197,7 @@ public:
   double stop_speed;    ///< below it a decelerating mass has stopped [m/s]
   double slow_speed;    ///< see Mode::slow [m/s]
   laws::RimElement rim;
+  FootLimit foot; ///< where its joint goes
   DentShape dents;
   RidingHeight height;
   friction::FrictionLaw friction_law;

@@ -48,6 +48,13 @@ RimCurveFile read_rim_curve(const std::string &path);
 /// Throws InputError for a curve of another rim, DataError for a damaged file.
 std::shared_ptr<const laws::RimCurve> rim_curve_of(const scene::Scene &scene);
 
+/// The joint at the rim's foot that the curve's push watched.
+struct CurveJoint {
+  std::string joint;             ///< its words; empty: one piece with the plate
+  std::optional<double> gone_at; ///< force of first loading at which its use passes 1 [N]; none: borne to the end
+};
+CurveJoint joint_of_curve(const scene::Scene &scene);
+
 /// Sentences on a curve too coarse to be flown without a word: its mesh is off by more than 3 % of the force or by
 /// nobody knows how much, its unloadings leave out more than 10 % of the rebound. None for a scene of another law.
 std::vector<std::string> doubts_of_curve(const scene::Scene &scene);

@@ -112,8 +112,11 @@ void Dynamics::keep_to_rim(const Mode &mode, double t, const State &y) const {
         fmt::format("the slider is thrown over the rim at t = {:.5g} s: lifted by {:.1f} mm beyond L_c, "
                     "where its bottom passes the rim's top at {:.1f} mm",
                     t, 1e3 * y[iZ], 1e3 * lift_over_rim));
-  if (mode.rim != RimContact::pressed || !rim.curve) return;
+  if (mode.rim != RimContact::pressed) return;
   const Vector2d u(y[iX], y[iY]), v(y[iVX], y[iVY]);
+  if (std::isfinite(foot.force) && foot.gone(rim_push(mode, t, u, v).inwards))
+    throw SolverStopped(fmt::format("at t = {:.5g} s {}", t, foot.sentence()));
+  if (!rim.curve) return;
   const PressedRim press{u.norm() - lateral_capacity, u.dot(v) / u.norm(), supported_mass,
                          mode.support == Support::airborne};
   if (const auto reason = beyond_curve(*rim.curve, press, mode.dented, u, dents))

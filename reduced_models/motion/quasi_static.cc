@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <fmt/format.h>
 
 namespace rimpact::reduced {
 
@@ -58,6 +59,11 @@ public:
                                 ? beyond_curve(*dynamics_.rim.curve, {d, 0, 0, false}, rim_, u, dynamics_.dents)
                                 : std::nullopt)
       throw InputError("impact_law \"curve\": " + *reason + "; take rung rim (rimpact run --rung rim)");
+  }
+  /// Why the path ends here: the rim's foot goes.
+  std::optional<std::string> gone_at(double s) const {
+    if (!dynamics_.foot.gone(forces(s, at(s), direction(s)).rim_force)) return {};
+    return fmt::format("at load parameter {:.4g} {}", s, dynamics_.foot.sentence());
   }
   /// Over an interval of a path with a time the steel takes the heat of its middle.
   void heat(double s0, double s1) {
@@ -166,6 +172,10 @@ ReducedRun quasi_static(const scene::Scene &given) {
   for (std::size_t i = 1; i < samples.size(); ++i) {
     add_works(path, samples[i - 1], samples[i], ledger);
     path.press(path.at(samples[i]));
+    if (const auto end = path.gone_at(samples[i])) {
+      run.summary.status = RunStatus::stopped, run.summary.reason = *end;
+      break;
+    }
     path.heat(samples[i - 1], samples[i]);
     store(path, samples[i], ledger, run.response, run.summary);
   }

@@ -7,7 +7,8 @@
 
 namespace rimpact::reduced {
 
-/// `time` of the response is the load parameter 0..1. Only the spring of the rim element acts (no rates).
+/// `time` of the response is the load parameter 0..1. Only the spring of the rim element acts (no rates). A path that
+/// breaks the rim off (foot_limit.h) ends before it, with status `stopped`.
 ReducedRun quasi_static(const scene::Scene &scene);
 
 } // namespace rimpact::reduced

@@ -1,5 +1,6 @@
 #include "reduced_models/record/run_doubts.h"
 
+#include "reduced_models/bearings/foot_limit.h"
 #include "reduced_models/bearings/rim_curve_file.h"
 #include "responses/frame_limits.h"
 #include "responses/limits.h"
@@ -18,6 +19,7 @@ void add_doubts(const scene::Scene &scene, const Response &response, Summary &su
   if (!summary.impacts.empty()) {
     for (const auto &doubt : scene::doubts_of_element(scene)) warnings.push_back(doubt);
     for (const auto &doubt : doubts_of_curve(scene)) warnings.push_back(doubt);
+    if (std::string doubt = doubt_of_foot(scene); !doubt.empty()) warnings.push_back(std::move(doubt));
   }
   if (std::string doubt = scene::doubt_of_published_pair(scene, fastest); !doubt.empty())
     warnings.push_back(std::move(doubt));

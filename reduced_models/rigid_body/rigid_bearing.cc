@@ -1,6 +1,8 @@
 #include "reduced_models/rigid_body/rigid_bearing.h"
 #include "reduced_models/rigid_body/bearing_contacts.h"
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <Eigen/Geometry>
 
 namespace rimpact::reduced::rigid {
@@ -25,7 +27,7 @@ RigidBody cylinder(const Slider &s, double gravity) {
 RigidBearing::RigidBearing(const scene::Scene &scene)
     : driven(!scene.excitation.is_dynamic()), parts(parts_of(scene, driven)),
       plate(static_cast<int>(parts.sliders.size())), building(scene), bearing_(scene.isolator),
-      capacity_(scene.lateral_capacity()) {
+      capacity_(scene.lateral_capacity()), foot_(foot_limit(scene)), foot_gone_(foot_.sentence()) {
   const auto &r = scene.reduced;
   const int n_sets = static_cast<int>(parts.joints.size());
   add_bodies(scene);
@@ -154,11 +156,22 @@ double RigidBearing::stored_energy(const MotionState &s) const {
   return energy;
 }
 
+/// By the force of all the points that press one rim.
+bool RigidBearing::breaks_a_rim(const MotionState &s) const {
+  if (!std::isfinite(foot_.force)) return false;
+  std::array<Vector3d, max_sets> force;
+  force.fill(Vector3d::Zero());
+  for (std::size_t i = 0; i < s.contact.size(); ++i)
+    if (system.contacts[i].surface == Surface::rim) force[system.contacts[i].set] += s.contact[i].normal;
+  return std::any_of(force.begin(), force.end(), [&](const Vector3d &f) { return foot_.gone(f.norm()); });
+}
+
 const char *RigidBearing::lost(const MotionState &s) const {
   for (std::size_t i = 0; i < s.contact.size(); ++i)
     if (s.contact[i].passed)
       return system.contacts[i].surface == Surface::rim ? "the slider has left over a rim"
                                                         : "the top slider has left over the stop";
+  if (breaks_a_rim(s)) return foot_gone_.c_str();
   // Past the angle at which the diagonal of all sliders stands upright a block does not come back.
   double rims = 0;
   for (int body = 0; body < plate; ++body) {

@@ -3,6 +3,7 @@
 /// plate is the ground, its vertex the origin, z up. Planar: 5, 8 or 11 dofs; spatial: 9, 15 or 21, and three more when
 /// the top plate is free to rotate.
 #pragma once
+#include "reduced_models/bearings/foot_limit.h"
 #include "reduced_models/record/building_recorder.h"
 #include "reduced_models/rigid_body/bearing_parts.h"
 #include "reduced_models/rigid_body/stepper.h"
@@ -40,13 +41,16 @@ public:
   double potential_energy(const MotionState &state) const;
   double stored_energy(const MotionState &state) const;         ///< in the normal contacts' springs [J]
   BuildingSnapshot building_at(const MotionState &state) const; ///< only of one that is there
-  /// Why a run cannot go on: a slider has left a rim or the stop, or overturned; null otherwise.
+  /// Why a run cannot go on: a slider has left a rim or the stop, broken a rim off, or overturned; null otherwise.
   const char *lost(const MotionState &state) const;
 
 private:
   void add_bodies(const scene::Scene &scene);
   scene::Isolator bearing_;
   double capacity_;
+  FootLimit foot_; ///< of each rim
+  std::string foot_gone_;
+  bool breaks_a_rim(const MotionState &state) const;
 };
 
 } // namespace rimpact::reduced::rigid

@@ -39,4 +39,4 @@ def main(arguments: list[str]) -> None:
         sys.exit(STOPPED)
 
 
-run_main(main)
+run_main(main, "references")

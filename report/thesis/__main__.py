@@ -34,4 +34,4 @@ def main(arguments: list[str]) -> None:
         print(json.dumps(made, indent=1, ensure_ascii=False))
 
 
-run_main(main)
+run_main(main, "thesis")

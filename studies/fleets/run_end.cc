@@ -7,7 +7,7 @@ namespace {
 
 /// What the models say where a bearing or a frame has come to its end; tests/fleets/test_run_end.cc holds them to it.
 constexpr std::array last_words{"left the dish", "left its dish", "left over a rim", "left over the stop",
-                                "thrown over",   "overturned",    "collapsed"};
+                                "thrown over",   "overturned",    "collapsed",       "breaks off its plate"};
 
 } // namespace
 

@@ -21,7 +21,8 @@ constexpr auto choices(RowStatus) {
 
 enum class RunEnd {
   done,   ///< its peaks count
-  beyond, ///< the slider left its dish, went over its rim or overturned, or the frame collapsed: above every other run
+  beyond, ///< the slider left its dish, went over its rim, broke it off or overturned, or the frame collapsed: above
+          ///< every other run
   without_result ///< refused, failed, or stopped for another reason: not counted
 };
 /// From the columns `status` (none: no word of the table's) and `reason` of a fleet's table.

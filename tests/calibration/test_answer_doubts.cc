@@ -111,7 +111,7 @@ TEST(AnswerDoubts, TheRimIsJudgedByItsOwnSteel) {
         {SteelPlace::rim_root,
          {.largest = 2 * rim[i], .averaged = rim[i], .damage = rim[i], .averaged_damage = 4 * rim[i] * rim[i]}},
         {SteelPlace::slider_edge, {.largest = 2 * edge[i], .averaged = edge[i]}}};
-    amend(runs[i], {{"max_plastic_strain", 2 * edge[i]}, {"steel", to_json(steel, 0.2)}, {"rung", "rim"}, {"mesh", 1}});
+    amend(runs[i], {{"max_plastic_strain", 2 * edge[i]}, {"steel", to_json(steel)}, {"rung", "rim"}, {"mesh", 1}});
   }
   const auto c = calibrate(runs, quick({}));
   const auto &s = *c.answer->strain;
@@ -161,6 +161,7 @@ TEST(AnswerDoubts, TheLawEndsWhereTheRimsFootGoes) {
     scene.bearing.rim.connection.kind = scene::ConnectionKind::fillet, scene.bearing.rim.connection.throat = 0.010;
     scene.name += "-fillet";
     foot.use = 0.4 * (i + 1); // beyond 1 at 0.3 m/s
+    if (i >= 2) foot.goes_at_force = 8e5 + 1e4 * i;
     runs.push_back(folder.write(scene));
     amend(runs[i], {{"rung", "rim"}, {"mesh", 1}, {"rim_foot", to_json(foot, scene.bearing.rim.connection)}});
   }
@@ -175,7 +176,14 @@ TEST(AnswerDoubts, TheLawEndsWhereTheRimsFootGoes) {
       << c.answer->foot->sentence;
   EXPECT_NE(c.answer->validity.find("It ends at 0.2 m/s"), std::string::npos) << c.answer->validity;
   EXPECT_NE(to_toml_fragment(*c.answer).find("# Doubt: The joint at the rim's foot"), std::string::npos);
-  EXPECT_EQ(to_json(*c.answer)["rim_foot"]["rows"].size(), 4u);
+  const auto json = to_json(*c.answer)["rim_foot"];
+  EXPECT_EQ(json["rows"].size(), 4u);
+  EXPECT_EQ(json["goes_at_force_kN"], 820) << "the least of all runs";
+  EXPECT_NEAR(json["borne_to_m_s"].get<double>(), 0.2, 1e-3);
+  EXPECT_NEAR(json["goes_at_m_s"].get<double>(), 0.3, 1e-3);
+  EXPECT_EQ(json["joint"], scene::strength_in_words(c.scene.bearing.rim.connection));
+  EXPECT_NE(to_toml_fragment(*c.answer).find("foot_force_kN = 820\n"), std::string::npos);
+  EXPECT_NE(c.answer->foot->doubt.find("at a rim force of 820 kN"), std::string::npos) << c.answer->foot->doubt;
   // With fast steel the joint goes earlier: the law ends there.
   auto options = quick({"signed"});
   options.steel_band = SteelBand{};

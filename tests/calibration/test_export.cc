@@ -3,6 +3,7 @@
 #include "calibration/export/gap_springs.h"
 #include "calibration/export/law_csv.h"
 #include "io/files/error.h"
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <set>
 #include <sstream>
@@ -35,6 +36,32 @@ TEST(SelfCheck, IntegratorMeetsClosedForms) {
   const auto dent = fly(gap, m, 0.5, spring.stiffness);
   EXPECT_NEAR(spring.work(dent.penetration) / (m * 0.125), 1, 1e-3);
   EXPECT_NEAR(m * std::pow(0.5 * dent.rebound, 2) / 2 / spring.returned(dent.penetration), 1, 1e-3);
+}
+
+/// An exported law ends at the fastest run whose foot bears it; where none does there is none.
+TEST(ExportedRim, EndsWhereTheRimsFootGoes) {
+  auto calibration = answer_fixture();
+  auto &foot = calibration["answer"]["rim_foot"];
+  foot = {{"in_words", "two fillet welds"}, {"goes_at_force_kN", 812.5}, {"goes_at_m_s", 0.5}, {"borne_to_m_s", 0.4}};
+  const auto rim = exported_rim(calibration, {});
+  EXPECT_NEAR(rim.to, 0.4, 1e-12);
+  EXPECT_NEAR(rim.from, 0.1, 1e-12);
+  EXPECT_NE(
+      std::find_if(rim.statement.begin(), rim.statement.end(),
+                   [](const std::string &line) { return line.starts_with("ENDS at 812.5 kN of the rim's force"); }),
+      rim.statement.end());
+  foot["borne_to_m_s"] = nullptr, foot["goes_at_m_s"] = 0.1;
+  try {
+    exported_rim(calibration, {});
+    FAIL() << "nothing was thrown";
+  } catch (const InputError &error) {
+    EXPECT_NE(std::string(error.what()).find("two fillet welds, goes at 0.1 m/s or below"), std::string::npos);
+  }
+  foot = {{"in_words", "one piece with the plate"},
+          {"goes_at_force_kN", nullptr},
+          {"goes_at_m_s", nullptr},
+          {"borne_to_m_s", nullptr}};
+  EXPECT_NEAR(exported_rim(calibration, {}).to, 0.7, 1e-12);
 }
 
 TEST(PlasticLink, SeriesOfGapAndLinkIsTheLaw) {

@@ -74,6 +74,7 @@ struct PulledBar {
   J2State state{};
   double lateral = 0.0; ///< logarithmic strain
   double energy = 0.0;  ///< elastic [J/m^3]
+  double mises = 0.0;   ///< IsochoricResult::mises [Pa]
 
   /// Axial Kirchhoff stress at a logarithmic strain, a step of dt [s] after the last one.
   double pull(double axial, double dt = 0) {
@@ -90,7 +91,7 @@ struct PulledBar {
       if (std::abs(tau(1)) < 1) break;
       lateral -= tau(1) / (c(1, 1) + c(1, 2) + 2 * tau(1)); // d tau / d ln stretch = c + 2 tau
     }
-    state = result.state;
+    state = result.state, mises = result.mises;
     return tau(0);
   }
 };

@@ -137,6 +137,33 @@ TEST(Backstress, OneThatIsHardlyThereMakesNoDifference) {
   }
 }
 
+/// Pulled until the backstress is the yield radius R, a bar flows back at any stress, zero too: triaxiality and Lode
+/// parameter divide by R there, by the stress beyond R, and nothing jumps. By Prager's rule the stress is X - R.
+TEST(Backstress, TriaxialityIsBoundedWhereTheStressIsNothing) {
+  constexpr double C = 20e9, dp = 2e-5;
+  scene::Material steel = steel_with({{C, 0}});
+  steel.hardening.Q = 1; // R as good as constant
+  const HenckyJ2 law = HenckyJ2::from(steel);
+  PulledBar bar{law};
+  const double R = *steel.yield, top = R / C + 2 * R / steel.E; // X = R, and the elastic strain of X + R
+  double axial = 0, smallest = R, before = 0, last = 0;
+  while (axial < top) bar.pull(axial = std::min(top, axial + dp));
+  EXPECT_NEAR(bar.mises / (2 * R), 1, 2e-3) << "monotonic: the equivalent stress";
+  for (double back = dp; back < 3 * R / C + 2 * R / steel.E; back += dp) {
+    const J2State old = bar.state;
+    const double stress = bar.pull(axial - back);
+    if (!(bar.state.alpha > old.alpha)) continue;
+    smallest = std::min(smallest, std::abs(stress)), last = stress;
+    EXPECT_NEAR(bar.mises / std::max(R, std::abs(stress)), 1, 1e-6);
+    if (before > 0) EXPECT_LT(std::abs(bar.mises - before), 1.01 * C * dp) << "no jump";
+    before = bar.mises;
+    const double lode = (bar.state.lode - old.lode) / (bar.state.alpha - old.alpha);
+    EXPECT_NEAR(lode, std::pow(stress / bar.mises, 3), 1e-4) << "a bar's, less where the stress is less than R";
+  }
+  EXPECT_LT(smallest, 0.01 * R);
+  EXPECT_LT(last, -1.2 * R);
+}
+
 TEST(Backstress, WorkOfABarIsStoredAndSpent) {
   const HenckyJ2 law = HenckyJ2::from(steel_with(two_terms));
   PulledBar bar{law};

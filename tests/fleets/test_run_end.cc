@@ -24,6 +24,10 @@ TEST(RunEnd, OfWhatModelsSay) {
   softening.superstructure.kind = scene::StructureKind::bouc_wen, softening.superstructure.mass_ratio = 0.7;
   softening.superstructure.post_yield = -0.1, softening.superstructure.yield = 0.005;
   EXPECT_EQ(end_of(softening), RunEnd::beyond);
+  scene::Scene welded = scene::load_scene(
+      "ricker-0.78g-1.0s", {"bearing.rim.connection.kind=\"fillet\"", "bearing.rim.connection.throat_mm=8"});
+  welded.reduced.foot_joint = scene::strength_in_words(welded.bearing.rim.connection), welded.reduced.foot_force = 1e5;
+  EXPECT_EQ(end_of(welded), RunEnd::beyond); // breaks off
 }
 
 TEST(RunEnd, OfWhatIsNoEndOfTheStructure) {

@@ -59,6 +59,21 @@ TEST(CalibratedElement, TakesTheAnswersLawAndNumbers) {
   EXPECT_TRUE(doubts_of_element(s).empty());
 }
 
+/// Where the joint at the rim's foot goes comes with the law, and goes with it.
+TEST(CalibratedElement, BringsWhereTheRimsFootGoes) {
+  std::string json = answer("elastoplastic", element, "rim", thesis_rim());
+  json.insert(json.size() - 2, R"(, "rim_foot": {"joint": "welds", "goes_at_force_kN": 812.5})");
+  const Folder folder(json);
+  const Scene s = load_scene("impact-window", {folder.cal()});
+  EXPECT_EQ(s.reduced.foot_joint, "welds");
+  EXPECT_DOUBLE_EQ(*s.reduced.foot_force, 812.5e3);
+  const Scene again = parse_scene(to_toml(s), "again.toml");
+  EXPECT_EQ(again.reduced.foot_joint, "welds");
+  EXPECT_DOUBLE_EQ(*again.reduced.foot_force, 812.5e3);
+  const Scene own = load_scene("impact-window", {folder.cal(), "reduced.k_i_kN_per_m=1e5"});
+  EXPECT_TRUE(own.reduced.foot_joint.empty() && !own.reduced.foot_force) << "another law's numbers";
+}
+
 std::string with_stack(std::string json) {
   const std::string stack =
       R"({"answer": {"stack": {"finite_pad": true, "socket_friction": true, "friction": "park-wen",

@@ -283,4 +283,34 @@ TEST(Limits, TheRimsStrainIsJudgedAndTheSlidersEdgeIsSaidBeside) {
       << warnings(s)[0];
 }
 
+/// Each place is held against the limit of its own part's steel; the judged one has most of its limit.
+TEST(Limits, PartsOfTheirOwnSteelHaveLimitsOfTheirOwn) {
+  Scene scene;
+  scene.bearing = builtin_bearing("shfps-225");
+  Material iron = scene.bearing.steel, tough = scene.bearing.steel;
+  iron.strain_limit = 0.05, tough.strain_limit = 0.40;
+  scene.bearing.part_steels = {{SteelPart::rim, iron}, {SteelPart::slider, tough}};
+  scene.bearing.assumed.keys = {"material.rim.strain_limit"};
+  Summary s = one_impact(0.4, 0.01);
+  s.max_plastic_strain = 0.36;
+  s.steel = {{SteelPlace::rim_wall, {.largest = 0.12, .averaged = 0.06}},
+             {SteelPlace::dish, {.largest = 0.15, .averaged = 0.10}},
+             {SteelPlace::slider_edge, {.largest = 0.36, .averaged = 0.30}}};
+  judge(scene, s);
+  EXPECT_EQ(s.extra["strain_limit"],
+            (nlohmann::json{
+                {"limit", 0.05}, {"largest", 0.06}, {"place", "rim_wall"}, {"exceeded", true}, {"assumption", true}}));
+  ASSERT_EQ(warnings(s).size(), 1u) << "the slider bears 40 %";
+  EXPECT_NE(
+      warnings(s)[0].find("above the 5 % that the steel is trusted to (material.rim.strain_limit, an assumption)"),
+      std::string::npos)
+      << warnings(s)[0];
+  const auto written = to_json(s)["steel"];
+  EXPECT_EQ(written["rim_wall"]["limit"], 0.05);
+  EXPECT_EQ(written["dish"]["limit"], 0.2);
+  EXPECT_EQ(written["slider_edge"]["limit"], 0.4);
+  EXPECT_EQ(*steel_report_in(to_json(s), "here").at(SteelPlace::dish).limit, 0.2);
+  EXPECT_EQ(s.extra["hit_limits"]["hits_beyond_steel"], 1);
+}
+
 } // namespace

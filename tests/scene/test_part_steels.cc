@@ -1,6 +1,7 @@
 // A steel for each part of a bearing: what its table leaves out, what is written back, what it changes.
 #include "expect_error.h"
 #include "scene/rim_identity.h"
+#include "scene/stack_terms.h"
 #include "scene/steel_grades.h"
 #include "scene_text.h"
 #include <algorithm>
@@ -46,6 +47,24 @@ TEST(PartSteels, AGradeOfAPartIsThatOfItsThickness) {
   EXPECT_EQ(*b.steel_of(SteelPart::slider).yield, 235e6);
   EXPECT_EQ(b.steel_of(SteelPart::rim).hardening, steel_of(steel_grade("S355"), 0.015).hardening);
   expect_same(parse_scene(to_toml(scene), "again.toml"), scene);
+}
+
+TEST(PartSteels, ACurveOfAPartThatNecksIsRemarkedUponOnce) {
+  const std::string curve = "curve = [[0.0, 360.0], [0.1, 450.0], [0.2, 430.0]]\ncurve_kind = \"engineering\"\n";
+  const auto of_rim = with("[bearing.material.rim]\n" + curve).remarks;
+  ASSERT_EQ(of_rim.size(), 1u);
+  EXPECT_NE(of_rim[0].find("bearing.material.rim.curve necks"), std::string::npos) << of_rim[0];
+  EXPECT_EQ(
+      with("[bearing.material.steel]\n" + curve + "[bearing.material.rim]\ndensity_kg_per_m3 = 7000\n").remarks.size(),
+      1u)
+      << "inherited";
+}
+
+TEST(PartSteels, ASliderBetweenTwoDishesStandsOnItsOwnSteel) {
+  const std::string two = "[bearing]\nname = \"dcfp-155\"\n";
+  const double one = pad_stiffness(with(two).bearing);
+  EXPECT_NEAR(pad_stiffness(with(two + "[bearing.material.slider]\nE_MPa = 100000\n").bearing) / one, 0.5, 1e-12);
+  EXPECT_NEAR(pad_stiffness(with(two + "[bearing.material.rim]\nE_MPa = 100000\n").bearing) / one, 1, 1e-12);
 }
 
 TEST(PartSteels, TheLowerLimitOfTheRimsSideIsJudged) {

@@ -90,10 +90,17 @@ TEST(FootReport, TheWorstInstantIsToldAndJudged) {
   Response response;
   for (int k = 0; k < 3; ++k) {
     const double use = k == 1 ? 1.5 : 0.2 * k;
-    const std::pair<const char *, double> row[] = {
-        {"time", 0.01 * k},           {"rim_foot_normal", 10. * k},           {"rim_foot_shear", 20. * k},
-        {"rim_foot_moment", 30. * k}, {"rim_foot_normal_per_length", 1},      {"rim_foot_shear_per_length", 2},
-        {"rim_foot_use", use},        {"rim_foot_moment_per_length", 3. * k}, {"rim_foot_weld_force", 1e6 * use}};
+    const std::pair<const char *, double> row[] = {{"time", 0.01 * k},
+                                                   {"rim_foot_normal", 10. * k},
+                                                   {"rim_foot_shear", 20. * k},
+                                                   {"rim_foot_moment", 30. * k},
+                                                   {"rim_foot_normal_per_length", 1},
+                                                   {"rim_foot_shear_per_length", 2},
+                                                   {"impact_x", 3e5 * k},
+                                                   {"impact_y", 4e5 * k},
+                                                   {"rim_foot_use", use},
+                                                   {"rim_foot_moment_per_length", 3. * k},
+                                                   {"rim_foot_weld_force", 1e6 * use}};
     for (const auto &[name, value] : row) response.append(name, value);
   }
   Summary s;
@@ -101,6 +108,7 @@ TEST(FootReport, TheWorstInstantIsToldAndJudged) {
   ASSERT_TRUE(s.foot);
   EXPECT_EQ(s.foot->time, 0.01);
   EXPECT_EQ(s.foot->moment, 30);
+  EXPECT_NEAR(*s.foot->goes_at_force, 5e5 / 1.5, 1e-6) << "on a straight line to the instant at a use of 1.5";
   judge(scene, s);
   EXPECT_EQ(s.extra["rim_foot"]["exceeded"], true);
   EXPECT_NE(s.extra["warnings"][0].get<std::string>().find("two fillet welds with a throat of 10 mm, is used to 1.50"),
@@ -108,6 +116,10 @@ TEST(FootReport, TheWorstInstantIsToldAndJudged) {
   const auto back = foot_report_in({{"rim_foot", s.extra["rim_foot"]}}, "here");
   ASSERT_TRUE(back);
   EXPECT_EQ(*back->use, 1.5);
+  EXPECT_EQ(*back->goes_at_force, *s.foot->goes_at_force);
+  auto old = s.extra["rim_foot"];
+  old.erase("goes_at_force_N");
+  expect_error<DataError>([&] { foot_report_in({{"rim_foot", old}}, "here"); }, {"here: \"rim_foot\" is not"});
   EXPECT_NEAR(back->needed_throat, 1.5e6 / weld_strength(scene.bearing.rim.connection), 1e-12);
   EXPECT_FALSE(foot_report_in({{"rim_foot", nullptr}}, "here"));
   expect_error<DataError>([] { foot_report_in({{"rim_foot", 3}}, "here"); }, {"here: \"rim_foot\" is not"});
@@ -116,6 +128,7 @@ TEST(FootReport, TheWorstInstantIsToldAndJudged) {
   piece.foot = foot_report(response, whole.bearing);
   judge(whole, piece);
   EXPECT_TRUE(piece.extra["rim_foot"]["use"].is_null());
+  EXPECT_FALSE(piece.foot->goes_at_force);
   EXPECT_FALSE(piece.extra.contains("warnings") && !piece.extra["warnings"].empty());
 }
 

@@ -112,9 +112,12 @@ TEST(SteelGrades, WhatStandsInAGradesPlaceIsDoubted) {
   for (const char *words :
        {"E_MPa 2e+05 (the grade's: 2.1e+05)", "yield_MPa 360 (the grade's: 345)", "two straight lines"})
     EXPECT_NE(own[0].find(words), std::string::npos) << own[0];
+  const auto of_part = found("yield_MPa = 360\n[bearing.material.slider]\ngrade = \"S355\"\nE_MPa = 200000\n", 40);
+  ASSERT_EQ(of_part.size(), 1u);
+  EXPECT_NE(of_part[0].find("bearing.material.slider of grade S355"), std::string::npos) << of_part[0];
   const auto thick = found("grade = \"S460\"\n", 151);
   ASSERT_EQ(thick.size(), 1u);
-  EXPECT_NE(thick[0].find("151 is beyond the 150 mm"), std::string::npos) << thick[0];
+  EXPECT_NE(thick[0].find("the rim is 151 mm thick, beyond the 150 mm"), std::string::npos) << thick[0];
 }
 
 TEST(SteelGrades, BadKeysAreRefused) {

@@ -2,7 +2,7 @@
 """Hard cases of a finite-element rung: what became of each, its energy imbalance, steps, cuts and iterations. Rows with * must
 come out right, that is: the expected status within half an hour, an imbalance below 1e-3 of the input, and what the row's own check asks. A case
 that fails stays in the table, as failing. Runs kept in FOLDER are not repeated (see kept_run.py).
-RUNG rim-rate: those of rung rim with steel that knows its rate.
+RUNG rim-rate, rigid-dish-rate, full-rate: those of that rung with steel that knows its rate.
 usage: hard_cases.py RUNG RIMPACT FOLDER [part of a case's name]"""
 import importlib
 import json
@@ -15,13 +15,14 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "verificati
 from kept_run import command, is_kept  # noqa: E402
 
 IMBALANCE = 1e-3
-CASES = {"rim": "cases_rim", "rim-rate": "cases_rim_rate", "double-concave": "cases_double_concave", "rigid-dish": "cases_stack", "full": "cases_stack"}
+CASES = {"rim": "cases_rim", "rim-rate": "cases_rim_rate", "double-concave": "cases_double_concave", "rigid-dish": "cases_stack", "full": "cases_stack",
+         "rigid-dish-rate": "cases_stack_rate", "full-rate": "cases_stack_rate"}
 LONGEST = 1800  # [s]
 
 
 class Table:
     def __init__(self, rung, mesh, program, folder):
-        self.options = ["--no-fields", "--rung", "rim" if rung in ("rim-rate", "double-concave") else rung, "--mesh", str(mesh)]
+        self.options = ["--no-fields", "--rung", "rim" if rung == "double-concave" else rung.removesuffix("-rate"), "--mesh", str(mesh)]
         self.program, self.folder, self.summaries = program, folder, {}
 
     def run(self, name, scene, settings):

@@ -3,8 +3,8 @@
 does not resolve left (ours generalised-alpha, theirs Bossak).
 
 Gates: force over depth from 0.5 to 4 mm, deepest penetration and plastic work within 2 %, peak force (as against CalculiX) and rebound
-within 3 %. --keep: a GetFEM run that
-ended in the folder is not made again. Exit codes: 0 gates met, 1 missed, 77 GetFEM (Debian's python3-getfem) is absent (CTest: skipped)."""
+within 3 %. --speed: ours on meshes 0 to 2 and GetFEM on 0 and 1 are timed, error of the peak force, against ours extrapolated, over processor
+time. --keep: a GetFEM run that ended in the folder is not made again. Exit codes: 0 gates met, 1 missed, 77 GetFEM (Debian's python3-getfem) is absent (CTest: skipped)."""
 import csv
 import json
 import pathlib
@@ -16,6 +16,7 @@ import numpy as np
 
 HERE = pathlib.Path(__file__).parent
 sys.path.insert(0, str(HERE.parent / "rim_calculix"))
+from compare_push import Timed, speed  # noqa: E402
 from compare_rim_push import SKIPPED, arguments, missed, reporter, timed  # noqa: E402
 from getfem_here import lacks_getfem  # noqa: E402
 
@@ -43,9 +44,9 @@ def settings(mesh):
     return [word for setting in [f"model.mesh={mesh}", *SCENE] for word in ("--set", setting)]
 
 
-def run_ours(options):
-    folder = options.folder / f"ours-window-{options.mesh}"
-    timed([options.rimpact, "run", "impact-window", "-o", str(folder), *settings(options.mesh), "--quiet", "--no-fields", "--force"], options.folder,
+def run_ours(options, mesh):
+    folder = options.folder / f"ours-window-{mesh}"
+    timed([options.rimpact, "run", "impact-window", "-o", str(folder), *settings(mesh), "--quiet", "--no-fields", "--force"], options.folder,
           options.folder / f"{folder.name}.log", options.cores)
     summary, rows = json.loads((folder / "summary.json").read_text()), columns(folder / "response.csv")
     impact = summary["impacts"][0]
@@ -54,27 +55,33 @@ def run_ours(options):
                   f"{summary['n_dofs']} unknowns, {summary['n_steps']} steps, {summary['n_newton_iterations']} iterations")
 
 
-def run_getfem(options):
-    msh, out, log = (options.folder / f"getfem-window-{options.mesh}.{suffix}" for suffix in ("msh", "csv", "log"))
+def run_getfem(options, mesh):
+    msh, out, log = (options.folder / f"getfem-window-{mesh}.{suffix}" for suffix in ("msh", "csv", "log"))
     if not (options.keep and log.is_file() and "unknowns" in log.read_text()):
-        subprocess.run([options.rimpact, "mesh", "--scene", "impact-window", "--curved", "-o", str(msh), "--quiet", *settings(options.mesh)], check=True)
-        timed([sys.executable, str(HERE / "window_getfem.py"), str(msh), str(options.folder / f"ours-window-{options.mesh}/scene.toml"), str(out)], options.folder, log, options.cores)
+        subprocess.run([options.rimpact, "mesh", "--scene", "impact-window", "--curved", "-o", str(msh), "--quiet", *settings(mesh)], check=True)
+        timed([sys.executable, str(HERE / "window_getfem.py"), str(msh), str(options.folder / f"ours-window-{mesh}/scene.toml"), str(out)], options.folder, log, options.cores)
     rows, note = columns(out), log.read_text().strip()
     work = float(re.search(r"plastic work (\S+) J", note).group(1))
     values = (rows["force_kN"].max(), rows["travel_mm"].max(), -rows["speed_mm_s"][-1] / 1e3 / SPEED, work)
     return Window(values, rows["travel_mm"], rows["force_kN"], rows["processor_s"][-1], note)
 
 
+def of_window(run):
+    return Timed(run.values["peak force"], run.seconds, run.note)
+
+
 def main():
     parser = arguments(__doc__)
-    parser.add_argument("--mesh", type=int, default=0), parser.add_argument("--keep", action="store_true")
+    parser.add_argument("--mesh", type=int, default=0), parser.add_argument("--keep", action="store_true"), parser.add_argument("--speed", action="store_true")
     options = parser.parse_args()
     if lacks_getfem():
         return SKIPPED
     options.folder = options.folder.resolve()
     options.folder.mkdir(parents=True, exist_ok=True)
     say = reporter(options.write)
-    ours, theirs = run_ours(options), run_getfem(options)
+    by_mesh = {mesh: run_ours(options, mesh) for mesh in ((0, 1, 2) if options.speed else (options.mesh,))}
+    getfem = {mesh: run_getfem(options, mesh) for mesh in ((0, 1) if options.speed else (options.mesh,))}
+    ours, theirs = by_mesh[options.mesh], getfem[options.mesh]
     say(f"impact-window at {SPEED:g} m/s, mesh {options.mesh}: rimpact against GetFEM, one core each; processor seconds")
     say(f"{'':<8} {'force kN':>9} {'depth mm':>9} {'rebound':>8} {'plastic J':>9}")
     for name, run in (("ours", ours), ("GetFEM", theirs)):
@@ -87,6 +94,8 @@ def main():
     say(f"{'depth_mm':>8} {'GetFEM_kN':>9} {'ours_kN':>8} diff_%")
     for depth, theirs_at, ours_at, apart_at in zip(DEPTHS, theirs.at_depths, ours.at_depths, over):
         say(f"{depth:8.2f} {theirs_at:9.1f} {ours_at:8.1f} {100 * apart_at:+6.2f}")
+    if options.speed:
+        speed(say, "peak force of the window", {"ours": list(map(of_window, by_mesh.values())), "GetFEM": list(map(of_window, getfem.values()))})
     return 1 if missed(apart, GATES.__getitem__) else 0
 
 
