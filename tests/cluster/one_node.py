@@ -93,7 +93,7 @@ class OneNode:
             raise RuntimeError(done.stderr)
         return done.stdout.strip().split(";")[0]
 
-    def wait_for_all(self, seconds=300):
+    def wait_for_all(self, seconds=900):
         self.wait_until(lambda: not self.output("squeue", "-h").strip(), "the queue's end", seconds)
 
     def stop(self):
