@@ -77,6 +77,20 @@ const char *constants_of(const scene::Material &steel) {
   return steel.has_grade() ? "constants of its grade" : "constants of the bearing's file";
 }
 
+/// The rows, by speed, against the limits of their places; `lowest`: of the rim's side, where a place is not known.
+void judge_rows(AnswerStrain &s, const scene::Bearing &bearing, double lowest) {
+  const auto share = [&](const JudgedStrain &strain) { return strain.largest / strain.limit.value_or(lowest); };
+  for (const auto &row : s.rows)
+    if (share(row.strain) > share(s.largest)) s.largest = row.strain;
+  for (const auto &row : s.rows) {
+    if (share(row.strain) > 1) break;
+    s.largest_speed_below_limit = row.speed;
+  }
+  s.limit = s.largest.limit.value_or(lowest);
+  s.limit_is_assumption =
+      bearing.assumed.keys.empty() || limit_is_assumed(bearing, s.largest.place.value_or(weakest_of_the_rim(bearing)));
+}
+
 } // namespace
 
 std::optional<AnswerStrain> answer_strain(const Calibration &c, const std::vector<const StoredRun *> &runs) {
@@ -98,24 +112,16 @@ std::optional<AnswerStrain> answer_strain(const Calibration &c, const std::vecto
   const auto limit = scene::strain_limit(bearing);
   if (s.rows.empty() || !limit) return {};
   std::sort(s.rows.begin(), s.rows.end(), [](const auto &a, const auto &b) { return a.speed < b.speed; });
-  const auto share = [&](const JudgedStrain &strain) { return strain.largest / strain.limit.value_or(*limit); };
-  for (const auto &row : s.rows)
-    if (share(row.strain) > share(s.largest)) s.largest = row.strain;
-  for (const auto &row : s.rows) {
-    if (share(row.strain) > 1) break;
-    s.largest_speed_below_limit = row.speed;
-  }
-  s.limit = s.largest.limit.value_or(*limit);
-  s.limit_is_assumption =
-      bearing.assumed.keys.empty() || limit_is_assumed(bearing, s.largest.place.value_or(weakest_of_the_rim(bearing)));
+  judge_rows(s, bearing, *limit);
   const double limit_of_slider = limit_at(bearing, SteelPlace::slider_edge).value_or(*limit);
   s.places = by_places(c, runs, *limit);
   s.sentence = sentence(s);
   if (crack.place)
-    s.crack_sentence = fmt::format(
-        "A crack begins at a damage of 1; the runs reach {:.2f}, in {} at {:.3g} m/s ({}; a mean over {:g} "
-        "mm). No crack is in the model: beyond 1 its forces are no result.",
-        crack.value, description(*crack.place), crack.speed, constants_of(bearing.rim_steel()), 1e3 * averaging_radius);
+    s.crack_sentence =
+        fmt::format("A crack begins at a damage of 1; the runs reach {:.2f}, in {} at {:.3g} m/s ({}; a mean over {:g} "
+                    "mm). No crack is in the model: beyond 1 its forces are no result.",
+                    crack.value, description(*crack.place), crack.speed,
+                    constants_of(bearing.steel_of(part_of(*crack.place))), 1e3 * averaging_radius);
   if (slider.value > limit_of_slider)
     s.slider_sentence = fmt::format("The slider's edge is crushed, by {} at {:.3g} m/s: plan to replace the slider.",
                                     percent_up(slider.value), slider.speed);
