@@ -15,6 +15,21 @@ void append_work(RunRecord &record) {
   record.rows_work = now;
 }
 
+void append_energies(RunRecord &record) {
+  const EnergyLedger &e = record.ledger;
+  for (const auto &[name, value] : {std::pair{"energy_external", e.external},
+                                    {"energy_gravity", e.gravity},
+                                    {"energy_kinetic", e.kinetic},
+                                    {"energy_elastic", e.elastic},
+                                    {"energy_plastic", e.plastic},
+                                    {"energy_damping", e.damping},
+                                    {"energy_friction", e.friction},
+                                    {"energy_impact", e.impact},
+                                    {"energy_contact", e.contact},
+                                    {"energy_integrator", e.integrator}})
+    record.response.append(name, value);
+}
+
 } // namespace
 
 std::vector<std::pair<const char *, double>> foot_signals(const FootForces &foot) {
@@ -41,25 +56,15 @@ void append(RunRecord &record, const SampleRow &row) {
     r.append(std::string("friction_") + axes[i], row.friction[i]);
     r.append(std::string("impact_") + axes[i], row.impact[i]);
   }
-  const auto &e = record.ledger;
   const std::pair<const char *, double> values[] = {{"time", row.time},
                                                     {"gap", row.gap},
                                                     {"surface_gap", row.surface_gap},
                                                     {"plastic_strain_max", row.plastic_strain},
                                                     {"contact_pressure_max", row.contact_pressure},
                                                     {"newton_iterations", static_cast<double>(row.newton_iterations)},
-                                                    {"step", row.step},
-                                                    {"energy_external", e.external},
-                                                    {"energy_gravity", e.gravity},
-                                                    {"energy_kinetic", e.kinetic},
-                                                    {"energy_elastic", e.elastic},
-                                                    {"energy_plastic", e.plastic},
-                                                    {"energy_damping", e.damping},
-                                                    {"energy_friction", e.friction},
-                                                    {"energy_impact", e.impact},
-                                                    {"energy_contact", e.contact},
-                                                    {"energy_integrator", e.integrator}};
+                                                    {"step", row.step}};
   for (const auto &[name, value] : values) r.append(name, value);
+  append_energies(record);
   append_work(record);
   if (row.pad_pressure) r.append("pad_pressure_max", *row.pad_pressure);
   if (row.seat) {
