@@ -22,7 +22,7 @@ struct BearingResponse {
 /// An inelastic end section, moments right-handed about y.
 struct HingeResponse {
   double moment, plastic_rotation;      ///< [N m], [rad]
-  double ductility;                     ///< curvature over that at yield, absolute [-]
+  double ductility;                     ///< curvature over that at yield without an axial force, absolute [-]
   double strength_left, stiffness_left; ///< shares that wear has left [-]
 };
 struct MembersResponse {

@@ -1,4 +1,5 @@
 #include "buildings/bearing_doubts.h"
+#include "reduced_models/bearings/foot_limit.h"
 #include "scene/doubts.h"
 #include "scene/element_doubts.h"
 #include <algorithm>
@@ -23,7 +24,9 @@ std::vector<std::string> doubts_of_elements(const std::vector<scene::Scene> &bea
       if (!(reactions[b] > 0)) continue;
       scene::Scene own = bearings[b];
       own.load.vertical = reactions[b], own.load.mass = reactions[b] / own.load.gravity;
-      for (const auto &doubt : scene::doubts_of_element(own))
+      std::vector<std::string> doubts = scene::doubts_of_element(own);
+      if (std::string foot = reduced::doubt_of_foot(own); !foot.empty()) doubts.push_back(std::move(foot));
+      for (const auto &doubt : doubts)
         if (said.insert(doubt).second)
           sentences.push_back(fmt::format("bearing {} ({:.6g} kg): {}", b + 1, own.load.mass, doubt));
     }

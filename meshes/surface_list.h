@@ -6,16 +6,18 @@
 
 namespace rimpact::meshes {
 
+// clang-format off
 /// Of the file, read in a process apart (mesh_process.h), without meshing it. A list of bodies, each with `number`,
-/// `name` (empty: the file gives none), `box` ([[x, y, z] least, [x, y, z] most]) and `surfaces`: these have the same
-/// and
+/// `name` (empty: the file gives none), `box` ([[x, y, z] least, [x, y, z] most]) and `surfaces`. These have `number`,
+/// `box`, and
 ///   kind    Plane, Cylinder, Cone, Sphere, Torus, ... as gmsh says; "Discrete surface" of a mesh
 ///   radius  of a cylinder, a sphere, and of a torus its tube; null: another kind
-///   centre  of a sphere, a torus, or the point of a cylinder's axis in the middle of the surface's height; null
-///   likewise axis    a unit vector along a cylinder's or a torus's axis, or a plane's normal; null likewise around  of
-///   a torus: radius of the circle that its tube follows; null likewise of      numbers of the bodies that have it: two
-///   for a common face
+///   centre  of a sphere, a torus, or the point of a cylinder's axis in the middle of the surface's height; else null
+///   axis    a unit vector along a cylinder's or a torus's axis, or a plane's normal; else null
+///   around  of a torus: radius of the circle that its tube follows; else null
+///   of      numbers of the bodies that have it: two for a common face
 /// Throws as read_mesh_apart().
+// clang-format on
 nlohmann::json list_surfaces(const std::string &file);
 /// Lines of text.
 std::string describe_surfaces(const nlohmann::json &bodies);

@@ -20,7 +20,7 @@ INK, MUTED, FAINT, PAPER = "#1c2733", "#66727f", "#dde3e8", "#ffffff"
 FE, FITTED, PUBLISHED, RIM = "#0b4f8a", "#d55e00", "#7a8793", "#a3123a"
 BLUE, SKY, GREEN, YELLOW, PURPLE = "#0072b2", "#56b4e9", "#009e73", "#e3b505", "#a8568c"
 ENERGY = {"kinetic": BLUE, "gravity": SKY, "elastic": YELLOW, "contact": "#b8c1c9", "friction": GREEN,
-          "impact": PURPLE, "plastic": FITTED, "integrator": INK}
+          "impact": PURPLE, "plastic": FITTED, "damping": MUTED, "integrator": INK}
 CYCLE = [FE, FITTED, GREEN, PURPLE, SKY, YELLOW, INK, PUBLISHED]
 WIDTH = 7.2  # of a full-width figure [inch], the text block of an A4 page
 DPI = 200

@@ -62,6 +62,9 @@ std::optional<FootReport> foot_report_in(const nlohmann::json &summary, const st
     report.worst = {number("normal_N_per_m"), number("shear_N_per_m"), 0, number("moment_N")};
     report.needed_throat = 1e-3 * number("needed_throat_mm");
     if (!f.value("use", nlohmann::json()).is_null()) report.use = number("use");
+    if (report.exceeded() && !f.contains("goes_at_force_N"))
+      throw DataError(origin + ": the run is of an earlier version, which did not keep the force at which the joint at "
+                               "the rim's foot goes (goes_at_force_N): run it again");
     if (report.exceeded()) report.goes_at_force = number("goes_at_force_N");
     report.normal = number("total_normal_N"), report.shear = number("total_shear_N");
     report.moment = number("total_moment_Nm");

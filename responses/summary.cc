@@ -199,11 +199,13 @@ std::optional<std::string> doubt_of_rebound(const Response &response, const std:
 std::optional<std::string> doubt_of_bounce(const Response &response) {
   constexpr double off = 1e-3, until_back = 0.1; // of the normal force at first; [s]
   if (response.size() == 0 || !response.has("normal_force") || !response.has("pad_pressure_max")) return {};
+  if (response.has("energy_damping") && response.series("energy_damping").back() > 0) return {};
   const auto &normal = response.series("normal_force"), &t = response.series("time");
   const auto first = std::find_if(normal.begin(), normal.end(), [&](double N) { return N < off * normal.front(); });
   if (first == normal.end() || t.back() - t[first - normal.begin()] < until_back) return {};
-  return fmt::format("the slider leaves the dish at t = {:.3f} s and lands again, and no rung damps the bounces that "
-                     "follow: later impacts, and where it comes to rest, depend on a damping that is not known",
+  return fmt::format("the slider leaves the dish at t = {:.3f} s and lands again, and nothing damps the bounces that "
+                     "follow: later impacts, and where it comes to rest, depend on what the pad loses "
+                     "(bearing.pad.loss_factor)",
                      t[first - normal.begin()]);
 }
 

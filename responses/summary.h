@@ -62,7 +62,7 @@ void add_impulses(const Response &response, std::vector<Impact> &impacts);
 /// What to say of a scene that ends with the rim pressed, whose last impact has no rebound yet.
 std::optional<std::string> doubt_of_rebound(const Response &response, const std::vector<Impact> &impacts);
 /// What to say of a stack of solids that leaves its dish and has come back to it where the response ends, or may have:
-/// no model of it has a damping that would end the bounce.
+/// no loss of the pad ends the bounce.
 std::optional<std::string> doubt_of_bounce(const Response &response);
 /// What to say of a run, finished or stopped, whose energies do not add up.
 std::optional<std::string> doubt_of_ledger(const EnergyLedger &ledger);

@@ -247,6 +247,9 @@ void check(const Bearing &b, bool with_stack) {
     return check_rim(b);
   }
   check_slider(b);
+  require(!(b.pad.loss_factor > 0 && b.ertalyte.yield),
+          "pad.loss_factor {:g} beside a material.ertalyte.yield_MPa: a pad that loses energy as it strains is elastic",
+          b.pad.loss_factor);
   if (with_stack) check_foot_and_pad(b);
   const Clearance clearance(b);
   for (int i = 0; i <= n_positions; ++i) {

@@ -63,11 +63,19 @@ std::string source_of(const Scene &scene) {
   return r.impact_law->of_mass ? "the thesis's pair for shfps-225" : "defaults of the law, for shfps-225";
 }
 
-std::string range_of(const ReducedSettings &r) {
+/// Whether what is known of the rim's foot is of the scene's own joint.
+bool is_of_its_joint(const Scene &scene) {
+  const auto &joint = scene.reduced.foot_joint;
+  return !joint.empty() && (scene.rigid_bodies() || joint == strength_in_words(scene.bearing.rim.connection));
+}
+
+std::string range_of(const Scene &scene) {
+  const ReducedSettings &r = scene.reduced;
   std::string text;
   if (r.fitted_from && r.fitted_to) text += fmt::format("; fitted from {:g} to {:g} m/s", *r.fitted_from, *r.fitted_to);
   if (r.fitted_speeds_mass) text += fmt::format(" under {:g} kg", *r.fitted_speeds_mass);
-  if (r.foot_force) text += fmt::format("; ends at {:.4g} kN, where the rim's foot goes", *r.foot_force / 1e3);
+  if (r.foot_force && is_of_its_joint(scene))
+    text += fmt::format("; ends at {:.4g} kN, where the rim's foot goes", *r.foot_force / 1e3);
   if (r.fitted_mass) text += fmt::format("; for {:g} kg only", *r.fitted_mass);
   return text;
 }
@@ -82,7 +90,7 @@ std::string element_line(const Scene &scene) {
   if (scene.reduced.k_i == 0) return "none (k_i = 0)";
   if (scene.reduced.impact_law->pushed) return "curve, " + scene.reduced.impact_curve;
   return fmt::format("{}, {} ({}{})", scene.reduced.impact_law->name, numbers_of_element(scene), source_of(scene),
-                     range_of(scene.reduced));
+                     range_of(scene));
 }
 
 std::string load_sentence(const Scene &scene) {

@@ -74,6 +74,14 @@ void check_superstructure(const Scene &s) {
                                  word(s.superstructure.kind), word(s.reduced.normal_force)));
 }
 
+void check_foot(const ReducedSettings &r) {
+  if (r.foot_force && r.foot_joint.empty())
+    throw InputError(
+        fmt::format("reduced.foot_force_kN {:g} needs reduced.foot_joint, the joint at the rim's foot that "
+                    "it is known for, in the words of a calibration",
+                    *r.foot_force / 1e3));
+}
+
 /// A slider that sticks on a mass that bounces is no branch of the model's: friction has to be Park and Wen's.
 void check_pad_spring(const Scene &s) {
   if (s.reduced.friction != Friction::park_wen)
@@ -134,6 +142,7 @@ void Scene::validate() const {
   if (reduced.impact_law->pushed) check_curve(*this);
   if (superstructure.any()) check_superstructure(*this);
   if (reduced.normal_force == NormalForce::pad) check_pad_spring(*this);
+  check_foot(reduced);
   check_measured_friction(*this);
   bounds.validate();
   check_path(*this);

@@ -82,7 +82,8 @@ void remark_on_isolator(const TomlFile &file, Scene &scene) {
 void remark_on_pad(Scene &scene) {
   const double slides_by = scene.bearing.contact.steel_ertalyte, eta = scene.bearing.pad.loss_factor;
   const bool solid = has_dish(scene.model.rung);
-  if (solid && std::abs(scene.reduced.mu_fast - slides_by) > 1e-12)
+  if (!scene.bearing.has_pad()) return;
+  if (solid && !scene.reduced.measured.table && std::abs(scene.reduced.mu_fast - slides_by) > 1e-12)
     scene.remarks.push_back(
         fmt::format("reduced.mu_fast {:g} is not read by rung `{}`, but by the reduced model and the "
                     "scout: its pad slides by bearing.contact.steel_ertalyte {:g}",

@@ -78,6 +78,9 @@ Dish dish_of(const scene::Scene &scene, double capacity) {
     dish.assumed_pad = fmt::format(" That pad, {:g} x {:g} mm, is the built-in bearing's: this bearing gives none, an "
                                    "assumption.",
                                    2e3 * pad.outer_radius, 1e3 * pad.thickness);
+  if (const double eta = scene.bearing.pad.loss_factor; eta > 0)
+    dish.assumed_pad +=
+        fmt::format(" What the pad loses (loss factor {:g}) is left out: this spring is not damped.", eta);
   dish.travel = travels(last);
   for (const double r : dish.travel) dish.slope.push_back(r > 0 ? slope(r) : 0);
   dish.diagonal_error = std::sqrt(2.0) * slope(capacity / std::sqrt(2.0)) / slope(capacity) - 1;

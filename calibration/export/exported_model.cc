@@ -76,6 +76,7 @@ scene::Scene model_of(const scene::Scene &scene, const ExportedRim &rim) {
   model.load = {.vertical = rim.vertical, .mass = rim.mass, .gravity = rim.gravity};
   static_cast<laws::LawNumbers &>(model.reduced) = rim.settings;
   model.reduced.impact_law = rim.settings.impact_law;
+  model.reduced.forget_foot(); // of the scene's own law
   model.reduced.model = scene::ModelKind::physical;
   if (model.reduced.normal_force != scene::NormalForce::pad) model.reduced.normal_force = scene::NormalForce::inertia;
   model.reduced.capacity_offset = rim.lateral_capacity - scene.bearing.lateral_capacity();

@@ -53,6 +53,10 @@ LinerAnswer liner_answer(const VaryQuestion &question, const VaryPoint &rim, con
                energy = question.mass / 2 * question.speed * question.speed;
   const std::string on = fmt::format("Or a sacrificial liner on the wall of {}", in_words(rim.at, question));
   LinerAnswer answer;
+  if (bearing.double_concave()) {
+    answer.sentence = fmt::format("{}: not sized, for between two dishes two rims share what it would take.", on);
+    return answer;
+  }
   if (rim.peak_force <= most) {
     answer.sentence = fmt::format("No liner is needed on the wall of {}, which bare stays at {:.0f} kN.",
                                   in_words(rim.at, question), rim.peak_force / kilo);
@@ -86,7 +90,8 @@ LinerAnswer liner_answer(const VaryQuestion &question, const VaryPoint &rim, con
                     on, size, *yield / 1e6);
   else
     answer.sentence = fmt::format(
-        "{}: {}, keeps {:.0f} kN over a stroke of {:.1f} mm ({:g} % of it) and leaves {:.1f} mm of travel; {}{}. "
+        "{}: {}, stays at or below {:.0f} kN over a stroke of {:.1f} mm ({:g} % of it) and leaves {:.1f} mm of travel; "
+        "{}{}. "
         "Assumed: "
         "one stress at any speed, nothing springs back, the liner takes all of the energy, each place once.",
         on, size, most / kilo, 1e3 * answer.liner->stroke, 100 * crush_share, 1e3 * answer.travel, wall,

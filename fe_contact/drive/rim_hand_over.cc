@@ -37,6 +37,7 @@ SystemState joined_state(const BearingSystem &alone, const SystemState &state, c
   result.contacts[wall] = joined.contact(wall).open(joined.expand(result));
   result.energies.elastic = state.energies.elastic + held.energies.elastic;
   result.energies.plastic = state.energies.plastic + held.energies.plastic;
+  result.energies.damping = state.energies.damping;
   return result;
 }
 

@@ -72,10 +72,11 @@ void SlidingRun::report_lift() {
   if (reported_lift_ || !options_.remark || forces_of(active(), state_).normal > 0 || end_time() - t_ < worth_it)
     return;
   reported_lift_ = true;
+  const bool damped = model_.options.pad_retardation > 0;
   options_.remark(fmt::format(
-      "the slider leaves the dish at t = {:.3f} of {:g} s: it lands again every tenth of a second or so, undamped, and "
-      "each landing takes about a hundred iterations; a shorter excitation.duration_s ends the run sooner",
-      t_, end_time()));
+      "the slider leaves the dish at t = {:.3f} of {:g} s: it lands again every tenth of a second or so{}, and each "
+      "landing takes about a hundred iterations; a shorter excitation.duration_s{} ends the run sooner",
+      t_, end_time(), damped ? "" : ", undamped", damped ? "" : ", or a loss of the pad (bearing.pad.loss_factor),"));
 }
 
 } // namespace rimpact::fe

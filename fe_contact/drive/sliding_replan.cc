@@ -101,8 +101,9 @@ double SlidingRun::book_hand_over(const SlidingRun &old) {
   ledger.kinetic = share * active().kinetic_energy(state_);
   ledger.elastic = share * (state_.energies.elastic + held_.energies.elastic) - rest_elastic_;
   ledger.plastic = share * (state_.energies.plastic + held_.energies.plastic) - rest_plastic_;
-  const double lost =
-      before.kinetic - ledger.kinetic + before.elastic - ledger.elastic + before.plastic - ledger.plastic + sunk;
+  ledger.damping = share * state_.energies.damping;
+  const double lost = before.kinetic - ledger.kinetic + before.elastic - ledger.elastic + before.plastic -
+                      ledger.plastic + before.damping - ledger.damping + sunk;
   ledger.integrator += lost;
   ledger.gravity -= sunk;
   return std::abs(lost);

@@ -13,6 +13,7 @@ Eigen::Matrix3Xd internal_forces(const Solid &solid, const Discretisation &space
                                  const Eigen::VectorXd &u, const SolidHistory &history) {
   const int n = space.nodes_per_cell;
   const SolidLaw &law = solid.law_of(cell);
+  const HenckyJ2 resting = law.isochoric.at_rest();
   Eigen::Matrix3Xd moved(3, n), forces = Eigen::Matrix3Xd::Zero(3, n);
   for (int a = 0; a < n; ++a) moved.col(a) = u.segment<3>(3 * space.cell_nodes[cell * n + a]);
   const auto add = [&](const QuadratureData &rule, auto &&stress_at) {
@@ -24,7 +25,7 @@ Eigen::Matrix3Xd internal_forces(const Solid &solid, const Discretisation &space
       forces += rule.weights[point] * tau * F.inverse().transpose() * G;
     }
   };
-  add(space.full, [&](std::size_t point, const Matrix3 &F) { return law.stress_at_rest(history[point], F); });
+  add(space.full, [&](std::size_t point, const Matrix3 &F) { return law.stress_at_rest(resting, history[point], F); });
   add(space.reduced,
       [&](std::size_t, const Matrix3 &F) -> Vector6 { return law.volumetric.at(F.determinant()).response.stress; });
   return forces;

@@ -15,8 +15,8 @@ void make_symmetric(Matrix6 &tangent) {
 
 } // namespace
 
-Vector6 SolidLaw::stress_at_rest(const J2State &state, const Matrix3 &F) const {
-  return isochoric.at_rest().step(loss.none() ? state : J2State{}, F, 0, false).response.stress;
+Vector6 SolidLaw::stress_at_rest(const HenckyJ2 &resting, const J2State &state, const Matrix3 &F) const {
+  return resting.step(loss.none() ? state : J2State{}, F, 0, false).response.stress;
 }
 
 Solid::Solid(const Discretisation &space, const scene::Bearing &bearing, double pad_retardation)

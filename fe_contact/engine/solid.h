@@ -37,8 +37,8 @@ struct SolidLaw {
                        : loss.step(isochoric, volumetric, old, F, dt, with_tangent);
   }
   /// Isochoric Kirchhoff stress of a committed state: nothing flows, overstress stays, the pad's dashpot bears nothing
-  /// [Pa].
-  Vector6 stress_at_rest(const J2State &state, const Matrix3 &F) const;
+  /// [Pa]; `resting`: isochoric.at_rest().
+  Vector6 stress_at_rest(const HenckyJ2 &resting, const J2State &state, const Matrix3 &F) const;
 };
 
 class Solid {

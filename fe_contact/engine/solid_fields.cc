@@ -22,12 +22,13 @@ SolidFields fields_of(const Solid &solid, const Discretisation &space, const Eig
   for (std::size_t c = 0; c < space.n_cells; ++c) {
     const unsigned *nodes = &space.cell_nodes[c * n];
     const SolidLaw &law = solid.law_of(c);
+    const HenckyJ2 resting = law.isochoric.at_rest();
     double strain = 0.0, damage = 0.0;
     Vector6 stress = Vector6::Zero();
     for (int q = 0; q < n_points; ++q) {
       const std::size_t point = c * n_points + q;
       const Matrix3 F = gradient_at(u, nodes, &space.full.gradients[point * 3 * n], n);
-      const Vector6 tau = law.stress_at_rest(history[point], F);
+      const Vector6 tau = law.stress_at_rest(resting, history[point], F);
       strain = std::max(strain, history[point].alpha), damage = std::max(damage, history[point].damage);
       stress += tau / F.determinant() / n_points;
     }

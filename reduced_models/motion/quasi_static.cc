@@ -170,12 +170,14 @@ ReducedRun quasi_static(const scene::Scene &given) {
   const std::vector<double> samples = samples_of(scene.excitation);
   store(path, 0, ledger, run.response, run.summary);
   for (std::size_t i = 1; i < samples.size(); ++i) {
-    add_works(path, samples[i - 1], samples[i], ledger);
+    EnergyLedger after = ledger;
+    add_works(path, samples[i - 1], samples[i], after);
     path.press(path.at(samples[i]));
     if (const auto end = path.gone_at(samples[i])) {
       run.summary.status = RunStatus::stopped, run.summary.reason = *end;
       break;
     }
+    run.summary.n_steps = static_cast<long>(i), ledger = after;
     path.heat(samples[i - 1], samples[i]);
     store(path, samples[i], ledger, run.response, run.summary);
   }
@@ -183,7 +185,6 @@ ReducedRun quasi_static(const scene::Scene &given) {
   run.summary.energy = ledger;
   run.summary.rung = SolvedBy::reduced;
   run.summary.n_dofs = 3;
-  run.summary.n_steps = static_cast<long>(samples.size()) - 1;
   run.summary.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return run;
 }

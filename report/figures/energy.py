@@ -7,7 +7,7 @@ from ..run_folder import Run
 from ..style import ENERGY, INK, figure, literal, save, shared_legend
 
 NAMES = {"kinetic": "kinetic", "gravity": "lift against gravity", "elastic": "elastic", "contact": "contact",
-         "friction": "friction (spent)", "impact": "impact element", "plastic": "plastic (spent)",
+         "friction": "friction (spent)", "impact": "impact element", "plastic": "plastic (spent)", "damping": "dashpots and pad (spent)",
          "integrator": "integrator's loss"}
 
 

@@ -10,7 +10,7 @@ from ..results import Entry
 from ..run_folder import Run
 from .common import row_name, short_name
 
-TERMS = ("external", "gravity", "kinetic", "elastic", "plastic", "friction", "impact", "contact", "integrator")
+TERMS = ("external", "gravity", "kinetic", "elastic", "plastic", "damping", "friction", "impact", "contact", "integrator")
 
 
 def make(context: Context) -> Section | None:

@@ -52,6 +52,24 @@ TEST(Mounts, ADishByImplicitStepsIsTheOneByBranches) {
               5e-3 * branches.summary.peak_lateral_force);
 }
 
+TEST(Mounts, WhereARimsFootGoesABuildingStops) {
+  for (const auto friction : {scene::Friction::park_wen, scene::Friction::coulomb}) { // by branches, by implicit steps
+    auto s = pulse(2.5, scene::ModelKind::physical, 1e-3);
+    s.reduced.friction = friction;
+    const auto whole = simulate(block(), s).summary;
+    ASSERT_FALSE(whole.impacts.empty());
+    ASSERT_EQ(whole.status, RunStatus::done);
+    s.bearing.rim.connection.kind = scene::ConnectionKind::fillet;
+    s.reduced.foot_joint = scene::strength_in_words(s.bearing.rim.connection);
+    s.reduced.foot_force = 0.5 * whole.impacts[0].peak_force / 4;
+    const auto broken = simulate(block(), s).summary;
+    EXPECT_EQ(broken.status, RunStatus::stopped);
+    EXPECT_NE(broken.reason.find("the rim breaks off its plate"), std::string::npos) << broken.reason;
+    s.reduced.foot_force = 2 * whole.peak_impact_force.value();
+    EXPECT_EQ(simulate(block(), s).summary.status, RunStatus::done);
+  }
+}
+
 TEST(Mounts, KindsStandSideBySide) {
   Frame f = block();
   f.nodes[0].bearing = "lir-dcfp"; // the others have dishes

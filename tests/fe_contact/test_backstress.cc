@@ -146,8 +146,9 @@ TEST(Backstress, TriaxialityIsBoundedWhereTheStressIsNothing) {
   const HenckyJ2 law = HenckyJ2::from(steel);
   PulledBar bar{law};
   const double R = *steel.yield, top = R / C + 2 * R / steel.E; // X = R, and the elastic strain of X + R
+  const int n_out = static_cast<int>(std::ceil(top / dp));
   double axial = 0, smallest = R, before = 0, last = 0;
-  while (axial < top) bar.pull(axial = std::min(top, axial + dp));
+  for (int n = 1; n <= n_out; ++n) bar.pull(axial = top * n / n_out);
   EXPECT_NEAR(bar.mises / (2 * R), 1, 2e-3) << "monotonic: the equivalent stress";
   for (double back = dp; back < 3 * R / C + 2 * R / steel.E; back += dp) {
     const J2State old = bar.state;

@@ -56,6 +56,11 @@ TEST(PadLoss, ATurnLosesNothingAndAStandingPointRelaxes) {
   const IsochoricResult turned = point.step(pressed, turn * F, 1e-4), elastic = point.spring.step({}, turn * F, 0);
   EXPECT_LT((turned.response.stress - elastic.response.stress).norm(), 1e-9 * elastic.response.stress.norm());
   EXPECT_LT(turned.state.viscous_work, 1e-9);
+  const IsochoricResult struck = point.step({}, F, 1e-4), held = point.step(struck.state, F, 1e-4);
+  EXPECT_GT(struck.response.stress.norm(), 5 * held.response.stress.norm());
+  EXPECT_LT((held.response.stress - point.spring.step({}, F, 0).response.stress).norm(),
+            1e-9 * held.response.stress.norm());
+  EXPECT_NEAR(held.state.viscous_work / struck.state.viscous_work, 2, 1e-9); // the trapezoid ends where the power does
 }
 
 TEST(PadLoss, ACycleLosesTheLossFactorsShareOfItsEnergy) {

@@ -119,7 +119,11 @@ TEST(FootReport, TheWorstInstantIsToldAndJudged) {
   EXPECT_EQ(*back->goes_at_force, *s.foot->goes_at_force);
   auto old = s.extra["rim_foot"];
   old.erase("goes_at_force_N");
-  expect_error<DataError>([&] { foot_report_in({{"rim_foot", old}}, "here"); }, {"here: \"rim_foot\" is not"});
+  expect_error<DataError>(
+      [&] {
+        foot_report_in({{"rim_foot", old}}, "here");
+      },
+      {"here: the run is of an earlier version, which did not keep the force"});
   EXPECT_NEAR(back->needed_throat, 1.5e6 / weld_strength(scene.bearing.rim.connection), 1e-12);
   EXPECT_FALSE(foot_report_in({{"rim_foot", nullptr}}, "here"));
   expect_error<DataError>([] { foot_report_in({{"rim_foot", 3}}, "here"); }, {"here: \"rim_foot\" is not"});

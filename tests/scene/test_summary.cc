@@ -248,6 +248,9 @@ TEST(Doubts, AStackThatLeavesItsDishIsSaidWhereItMayHaveLanded) {
   EXPECT_FALSE(doubt_of_bounce(response({8e5, 4e5, 0, 0}, true, 0.01)));    // the response ends in flight
   EXPECT_FALSE(doubt_of_bounce(response({8e5, 4e5, 0, 9e5}, false, 0.25))); // a point lands by its own law
   EXPECT_FALSE(doubt_of_bounce(Response()));
+  Response damped = response({8e5, 4e5, 0, 9e5}, true, 0.25);
+  for (const double lost : {0, 0, 5, 9}) damped.append("energy_damping", lost);
+  EXPECT_FALSE(doubt_of_bounce(damped)); // the pad loses what the bounce has
 }
 
 /// A hundred joules put in, one created by contact, a rebound that carries 25: its speed is 2 % too fast.
