@@ -68,7 +68,8 @@ public:
   bool turns_nodes() const override { return true; }
   NodeTurn turn(int bearing) const override { // the plane's turn from x to z is one about -y
     const int node = model_.bearings[bearing];
-    return {turns_at_rest_[node] - turns_[slot_][node], -rates_now()[node]};
+    return {turns_at_rest_[node] - turns_[slot_][node],
+            slot_ == 0 ? -turn_rates_[0][node] : (turns_from_[node] - turns_[slot_][node]) / stage_.own};
   }
   double turn_rate_correction(int bearing) const override {
     return -turn_correction_[model_.bearings[bearing]] / stage_.own;
@@ -123,7 +124,7 @@ public:
   }
 
   void end_stage() override {
-    turn_rates_[slot_] = rates_now();
+    turn_rates_[slot_] = (turns_[slot_] - turns_from_) / stage_.own;
     for (auto &m : members_) m.rates[slot_] = rates_between(m.base, m.at[slot_], stage_.own);
   }
 
@@ -174,10 +175,6 @@ private:
     PlaneBeamColumn::Answer answer;
     SectionPoints at[3], rates[3]; ///< at start, middle, end of a step
   };
-
-  VectorXd rates_now() const {
-    return slot_ == 0 ? turn_rates_[0] : VectorXd((turns_[slot_] - turns_from_) / stage_.own);
-  }
 
   PlaneVector motion(const Member &m, const VectorXd &q, const VectorXd &turns) const {
     const int n = model_.n_dofs();

@@ -63,24 +63,22 @@ std::string source_of(const Scene &scene) {
   return r.impact_law->of_mass ? "the thesis's pair for shfps-225" : "defaults of the law, for shfps-225";
 }
 
-/// Whether what is known of the rim's foot is of the scene's own joint.
-bool is_of_its_joint(const Scene &scene) {
-  const auto &joint = scene.reduced.foot_joint;
-  return !joint.empty() && (scene.rigid_bodies() || joint == strength_in_words(scene.bearing.rim.connection));
-}
-
 std::string range_of(const Scene &scene) {
   const ReducedSettings &r = scene.reduced;
   std::string text;
   if (r.fitted_from && r.fitted_to) text += fmt::format("; fitted from {:g} to {:g} m/s", *r.fitted_from, *r.fitted_to);
   if (r.fitted_speeds_mass) text += fmt::format(" under {:g} kg", *r.fitted_speeds_mass);
-  if (r.foot_force && is_of_its_joint(scene))
+  if (r.foot_force && r.foot_joint == joint_at_foot(scene))
     text += fmt::format("; ends at {:.4g} kN, where the rim's foot goes", *r.foot_force / 1e3);
   if (r.fitted_mass) text += fmt::format("; for {:g} kg only", *r.fitted_mass);
   return text;
 }
 
 } // namespace
+
+std::string joint_at_foot(const Scene &scene) {
+  return scene.rigid_bodies() ? scene.reduced.foot_joint : strength_in_words(scene.bearing.rim.connection);
+}
 
 std::string rim_in_words(const Bearing &bearing) {
   return fmt::format("rim {:.4g} mm high, {:.4g} mm thick", 1e3 * bearing.rim.height, 1e3 * bearing.rim.thickness);

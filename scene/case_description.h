@@ -13,6 +13,9 @@ std::string load_sentence(const Scene &scene);
 std::string rim_in_words(const Bearing &bearing);
 /// "rim's foot: ...\n": what holds the rim on its plate; of a rim in one piece with it, that the solids assume so.
 std::string foot_sentence(const Bearing &bearing);
+/// The joint at the foot of the scene's rims, in the words of its strength: of rigid bodies, whose plates have no rim
+/// of the bearing's, the calibration's. Empty: one piece with the plate, or not known.
+std::string joint_at_foot(const Scene &scene);
 /// The impact element alone: its law, numbers and where they come from.
 std::string element_line(const Scene &scene);
 /// The same as `load`, `motion` and `impact_element` (law, every number of it, source, fitted_from_m_per_s,

@@ -99,8 +99,8 @@ std::optional<ExportScene> export_scene(const ExportOptions &options, const json
         rim.lateral_capacity, own));
   take_answer(*scene, calibration, rim);
   auto dish = calibration::dish_of(*scene, rim.lateral_capacity);
-  if (!dish.assumed_pad.empty() && (options.opensees || options.sap2000 || options.etabs))
-    console.warn("vertical stiffness of the bearing:" + dish.assumed_pad);
+  if (!dish.pad_remark.empty() && (options.opensees || options.sap2000 || options.etabs))
+    console.warn("vertical stiffness of the bearing:" + dish.pad_remark);
   return ExportScene{*scene, std::move(dish)};
 }
 

@@ -10,6 +10,8 @@ struct ExportOptions {
   std::string folder, out, law, scene;
   std::optional<double> mass, load; ///< [kg], [kN]
   bool opensees = false, sap2000 = false, etabs = false, csv = false, dxf = false;
+  /// Whether what only a calibration has is asked for, beside files for OpenSees.
+  bool asks_a_calibration() const { return sap2000 || etabs || csv || !law.empty() || mass || load || !scene.empty(); }
   bool anyway = false; ///< the whole bearing also where its self-check refuses it
 };
 

@@ -7,8 +7,7 @@
 namespace rimpact::app {
 
 void export_section(const ExportOptions &options, const std::vector<std::string> &head, Console &console) {
-  if (options.opensees || options.sap2000 || options.etabs || options.csv || !options.law.empty() || options.mass ||
-      options.load || !options.scene.empty())
+  if (options.asks_a_calibration() || options.opensees)
     throw InputError("export " + options.folder +
                      ": no calibration.json in it; a bearing without one has its section only: --dxf");
   const GivenCase given = given_case(options.folder, {});

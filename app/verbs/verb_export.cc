@@ -191,8 +191,7 @@ void run_export(ExportOptions options, Console &console) {
   if (!(options.opensees || options.sap2000 || options.etabs || options.csv || options.dxf))
     throw InputError("export: say for what, one or more of --opensees, --sap2000, --etabs, --csv, --dxf");
   if (is_building_folder(options.folder)) {
-    if (options.sap2000 || options.etabs || options.csv || options.dxf || !options.law.empty() || options.mass ||
-        options.load || !options.scene.empty())
+    if (options.asks_a_calibration() || options.dxf)
       throw InputError("export: of a building's run only its bearings for --opensees, under their own weights");
     return export_building_bearings(options.folder, options.out.empty() ? options.folder : options.out, header(console),
                                     console);

@@ -75,11 +75,11 @@ Dish dish_of(const scene::Scene &scene, double capacity) {
   dish.error_half = error(capacity / 2), dish.error_full = error(capacity);
   dish.vertical_stiffness = scene::pad_stiffness(scene.bearing);
   if (const auto &pad = scene.bearing.pad; scene::has_default_pad(scene.bearing))
-    dish.assumed_pad = fmt::format(" That pad, {:g} x {:g} mm, is the built-in bearing's: this bearing gives none, an "
-                                   "assumption.",
-                                   2e3 * pad.outer_radius, 1e3 * pad.thickness);
+    dish.pad_remark = fmt::format(" That pad, {:g} x {:g} mm, is the built-in bearing's: this bearing gives none, an "
+                                  "assumption.",
+                                  2e3 * pad.outer_radius, 1e3 * pad.thickness);
   if (const double eta = scene.bearing.pad.loss_factor; eta > 0)
-    dish.assumed_pad +=
+    dish.pad_remark +=
         fmt::format(" What the pad loses (loss factor {:g}) is left out: this spring is not damped.", eta);
   dish.travel = travels(last);
   for (const double r : dish.travel) dish.slope.push_back(r > 0 ? slope(r) : 0);

@@ -24,8 +24,8 @@ struct Dish {
   double elastic_slip;            ///< travel over which friction builds up [m], > 0
   double vertical_stiffness;      ///< of the pad alone, E A / thickness [N/m]
   std::vector<std::string> stack; ///< sentences: which terms of pad and socket are in it
-  std::string assumed_pad =
-      {}; ///< sentences, where the pad is not the bearing's own, or loses what the spring does not
+  /// Sentences, each after a blank: a pad that is not the bearing's own, a loss that the spring has not.
+  std::string pad_remark = {};
 
   bool is_coulomb() const { return face_slow == face_fast; } ///< `rate` is not read
   double slope_at(double r) const { return in_table(slope, r); }

@@ -20,7 +20,7 @@ std::string stack_line(const Dish &dish) {
 }
 
 std::string pad_line(const Dish &dish) {
-  return "Vertical stiffness: the pad's E A / t." + dish.assumed_pad;
+  return "Vertical stiffness: the pad's E A / t." + dish.pad_remark;
 }
 
 } // namespace

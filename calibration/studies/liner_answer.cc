@@ -91,9 +91,8 @@ LinerAnswer liner_answer(const VaryQuestion &question, const VaryPoint &rim, con
   else
     answer.sentence = fmt::format(
         "{}: {}, stays at or below {:.0f} kN over a stroke of {:.1f} mm ({:g} % of it) and leaves {:.1f} mm of travel; "
-        "{}{}. "
-        "Assumed: "
-        "one stress at any speed, nothing springs back, the liner takes all of the energy, each place once.",
+        "{}{}. Assumed: one stress at any speed, nothing springs back, the liner takes all of the energy, each place "
+        "once.",
         on, size, most / kilo, 1e3 * answer.liner->stroke, 100 * crush_share, 1e3 * answer.travel, wall,
         bears ? "" : ": it does not do");
   return answer;

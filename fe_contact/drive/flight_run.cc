@@ -120,11 +120,8 @@ void FlightRun::pad_fe_signals() {
   double strain = 0;
   for (const auto &arc : arcs_) strain = std::max(strain, largest_plastic_strain(arc.state.history));
   auto &r = record_.response;
-  const auto &e = record_.ledger;
-  const std::pair<const char *, double> values[] = {{"plastic_strain_max", strain}, {"contact_pressure_max", 0},
-                                                    {"newton_iterations", 0},       {"energy_elastic", e.elastic},
-                                                    {"energy_plastic", e.plastic},  {"energy_integrator", e.integrator},
-                                                    {"energy_damping", e.damping}};
+  auto values = energy_signals(record_.ledger);
+  values.insert(values.end(), {{"plastic_strain_max", strain}, {"contact_pressure_max", 0}, {"newton_iterations", 0}});
   for (const auto &[name, value] : values) r.series(name).resize(r.size(), value);
   if (system_.model().foot.exists())
     for (const auto &[name, value] : foot_signals(FootForces::none(scene_.bearing)))

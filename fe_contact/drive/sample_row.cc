@@ -15,21 +15,6 @@ void append_work(RunRecord &record) {
   record.rows_work = now;
 }
 
-void append_energies(RunRecord &record) {
-  const EnergyLedger &e = record.ledger;
-  for (const auto &[name, value] : {std::pair{"energy_external", e.external},
-                                    {"energy_gravity", e.gravity},
-                                    {"energy_kinetic", e.kinetic},
-                                    {"energy_elastic", e.elastic},
-                                    {"energy_plastic", e.plastic},
-                                    {"energy_damping", e.damping},
-                                    {"energy_friction", e.friction},
-                                    {"energy_impact", e.impact},
-                                    {"energy_contact", e.contact},
-                                    {"energy_integrator", e.integrator}})
-    record.response.append(name, value);
-}
-
 } // namespace
 
 std::vector<std::pair<const char *, double>> foot_signals(const FootForces &foot) {
@@ -42,6 +27,13 @@ std::vector<std::pair<const char *, double>> foot_signals(const FootForces &foot
                                                       {"rim_foot_weld_force", foot.weld}};
   if (foot.use) values.emplace_back("rim_foot_use", *foot.use);
   return values;
+}
+
+std::vector<std::pair<const char *, double>> energy_signals(const EnergyLedger &e) {
+  return {{"energy_external", e.external},    {"energy_gravity", e.gravity}, {"energy_kinetic", e.kinetic},
+          {"energy_elastic", e.elastic},      {"energy_plastic", e.plastic}, {"energy_damping", e.damping},
+          {"energy_friction", e.friction},    {"energy_impact", e.impact},   {"energy_contact", e.contact},
+          {"energy_integrator", e.integrator}};
 }
 
 void append(RunRecord &record, const SampleRow &row) {
@@ -64,7 +56,7 @@ void append(RunRecord &record, const SampleRow &row) {
                                                     {"newton_iterations", static_cast<double>(row.newton_iterations)},
                                                     {"step", row.step}};
   for (const auto &[name, value] : values) r.append(name, value);
-  append_energies(record);
+  for (const auto &[name, value] : energy_signals(record.ledger)) r.append(name, value);
   append_work(record);
   if (row.pad_pressure) r.append("pad_pressure_max", *row.pad_pressure);
   if (row.seat) {

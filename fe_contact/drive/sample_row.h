@@ -27,6 +27,8 @@ struct SampleRow {
 };
 /// The foot's signals by name; `rim_foot_use` is there where the joint has one.
 std::vector<std::pair<const char *, double>> foot_signals(const FootForces &foot);
+/// The ledger's signals by name.
+std::vector<std::pair<const char *, double>> energy_signals(const EnergyLedger &ledger);
 /// With the energies of the record's ledger as it stands.
 void append(RunRecord &record, const SampleRow &row);
 

@@ -118,20 +118,24 @@ double Dynamics::pad_compression(const scene::SurfacePoint &p, const State &y) c
   return dead_load_ / pad_stiffness + p.z - y[iZ];
 }
 
+double Dynamics::pad_compression_rate(const scene::SurfacePoint &p, const State &y) const {
+  return p.gradient.dot(Vector2d(y[iVX], y[iVY])) - y[iVZ];
+}
+
 /// Of spring and dashpot [N]; the pad does not pull. The dashpot comes in over the first tenth of what the dead load
 /// compresses, so that no landing jumps.
 double Dynamics::pad_force(const scene::SurfacePoint &p, const State &y) const {
-  const double pressed = pad_compression(p, y), rate = p.gradient.dot(Vector2d(y[iVX], y[iVY])) - y[iVZ];
+  const double pressed = pad_compression(p, y);
   if (!(pressed > 0)) return 0;
   const double share = std::min(1.0, 10 * pad_stiffness * pressed / dead_load_);
-  return std::max(0.0, pad_stiffness * (pressed + share * pad_retardation * rate));
+  return std::max(0.0, pad_stiffness * (pressed + share * pad_retardation * pad_compression_rate(p, y)));
 }
 
 /// What the pad loses [W], >= 0: all that its spring gives back while the mass leaves it behind.
 double Dynamics::pad_loss(const scene::SurfacePoint &p, const State &y) const {
   if (!(pad_retardation > 0)) return 0;
-  const double rate = p.gradient.dot(Vector2d(y[iVX], y[iVY])) - y[iVZ];
-  return (pad_force(p, y) - pad_stiffness * std::max(0.0, pad_compression(p, y))) * rate;
+  const double of_spring = pad_stiffness * std::max(0.0, pad_compression(p, y));
+  return (pad_force(p, y) - of_spring) * pad_compression_rate(p, y);
 }
 
 Site Dynamics::on_dish(double t, const State &y) const {

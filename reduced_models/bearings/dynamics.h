@@ -225,6 +225,7 @@ private:
   Site on_dish(double t, const State &y, Footing &footing) const;
   FloorMotion above(const scene::SurfacePoint &p, const State &y) const;
   double pad_compression(const scene::SurfacePoint &p, const State &y) const;
+  double pad_compression_rate(const scene::SurfacePoint &p, const State &y) const;
   double pad_force(const scene::SurfacePoint &p, const State &y) const;
   double pad_loss(const scene::SurfacePoint &p, const State &y) const;
   Eigen::Vector3d friction_of(const Site &site, const State &y, const Eigen::Vector2d &direction, Evaluation &e) const;

@@ -1,14 +1,10 @@
 #include "reduced_models/bearings/foot_limit.h"
 #include "reduced_models/bearings/rim_curve_file.h"
+#include "scene/case_description.h"
 #include <fmt/format.h>
 
 namespace rimpact::reduced {
 namespace {
-
-/// Of the joint at hand; empty: one piece with the plate.
-std::string joint_of(const scene::Scene &scene) {
-  return scene.rigid_bodies() ? scene.reduced.foot_joint : strength_in_words(scene.bearing.rim.connection);
-}
 
 /// What the law's numbers are known for.
 struct Known {
@@ -33,7 +29,7 @@ std::string FootLimit::sentence() const {
 }
 
 FootLimit foot_limit(const scene::Scene &scene) {
-  const std::string joint = joint_of(scene);
+  const std::string joint = joint_at_foot(scene);
   if (joint.empty() || scene.reduced.k_i == 0) return {};
   const Known known = known_of(scene);
   FootLimit limit{.joint = joint};
@@ -42,7 +38,7 @@ FootLimit foot_limit(const scene::Scene &scene) {
 }
 
 std::string doubt_of_foot(const scene::Scene &scene) {
-  const std::string joint = joint_of(scene);
+  const std::string joint = joint_at_foot(scene);
   if (joint.empty()) return {};
   const std::string known = known_of(scene).joint;
   if (known == joint) return {};

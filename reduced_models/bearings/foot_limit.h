@@ -3,6 +3,7 @@
 /// joint's use passes 1 (responses/foot_report.h); it hangs on the joint, hardly on speed, mass or the steel's rate.
 #pragma once
 #include "scene/scene.h"
+#include <cmath>
 #include <limits>
 
 namespace rimpact::reduced {
@@ -11,6 +12,7 @@ struct FootLimit {
   double force = std::numeric_limits<double>::infinity(); ///< of the rim [N], > 0; infinite: borne, or not known
   std::string joint;                                      ///< in words; empty: one piece with the plate
 
+  bool is_known() const { return std::isfinite(force); } ///< otherwise no force need be asked
   bool gone(double rim_force) const { return rim_force > force; }
   /// "the rim breaks off its plate: the joint at its foot, ..., goes at 812 kN, and no law holds beyond".
   std::string sentence() const;

@@ -114,7 +114,7 @@ void Dynamics::keep_to_rim(const Mode &mode, double t, const State &y) const {
                     t, 1e3 * y[iZ], 1e3 * lift_over_rim));
   if (mode.rim != RimContact::pressed) return;
   const Vector2d u(y[iX], y[iY]), v(y[iVX], y[iVY]);
-  if (std::isfinite(foot.force) && foot.gone(rim_push(mode, t, u, v).inwards))
+  if (foot.is_known() && foot.gone(rim_push(mode, t, u, v).inwards))
     throw SolverStopped(fmt::format("at t = {:.5g} s {}", t, foot.sentence()));
   if (!rim.curve) return;
   const PressedRim press{u.norm() - lateral_capacity, u.dot(v) / u.norm(), supported_mass,

@@ -62,7 +62,7 @@ public:
   }
   /// Why the path ends here: the rim's foot goes.
   std::optional<std::string> gone_at(double s) const {
-    if (!dynamics_.foot.gone(forces(s, at(s), direction(s)).rim_force)) return {};
+    if (!dynamics_.foot.is_known() || !dynamics_.foot.gone(forces(s, at(s), direction(s)).rim_force)) return {};
     return fmt::format("at load parameter {:.4g} {}", s, dynamics_.foot.sentence());
   }
   /// Over an interval of a path with a time the steel takes the heat of its middle.

@@ -158,7 +158,7 @@ double RigidBearing::stored_energy(const MotionState &s) const {
 
 /// By the force of all the points that press one rim.
 bool RigidBearing::breaks_a_rim(const MotionState &s) const {
-  if (!std::isfinite(foot_.force)) return false;
+  if (!foot_.is_known()) return false;
   std::array<Vector3d, max_sets> force;
   force.fill(Vector3d::Zero());
   for (std::size_t i = 0; i < s.contact.size(); ++i)
