@@ -158,6 +158,7 @@ void add_solver_signals(List &list) {
   list.push_back({"newton_iterations", "1", "Newton iterations of the step"});
   list.push_back({"augmentations", "1", "augmentations of the contact's multipliers since the row before"});
   list.push_back({"backtracks", "1", "shortened Newton steps tried since the row before"});
+  list.push_back({"eliminations", "1", "times a few equations were solved by themselves, since the row before"});
   list.push_back({"linear_iterations", "1", "iterations of the linear solver since the row before"});
   list.push_back({"factorisations", "1", "factorisations since the row before"});
   list.push_back({"cuts", "1", "steps solved and not taken since the row before"});

@@ -12,6 +12,7 @@ struct SolverCount {
 inline constexpr SolverCount solver_counts[] = {
     {nullptr, "newton_iterations", &SolverWork::iterations},
     {"backtracks", "backtracks", &SolverWork::backtracks},
+    {"eliminations", "eliminations", &SolverWork::eliminations},
     {"linear_iterations", "linear_iterations", &SolverWork::linear_iterations},
     {"factorisations", "factorisations", &SolverWork::factorisations},
     {"augmentations", "augmentations", &SolverWork::augmentations},

@@ -59,11 +59,22 @@ ContactStepReport solve(ContactSystem &system, const SystemState &state, const S
   return report;
 }
 
-/// The last increment repeated: loading goes on mostly as it did, where the velocities ring from cell to cell. Smooth
-/// motion is continued by a parabola through the last three states.
-Eigen::VectorXd first_guess(const SystemState &state, double dt, bool smooth) {
+/// By how much the way of a mass that nothing stops at once grows or shrinks against its last one.
+double change_of_pace(const SystemState &state, const RemoteFace &face, double dt) {
+  constexpr double slowest = 0.5, fastest = 1.5; // beyond it turns, and says nothing of what is pushed
+  const Eigen::Vector3d as_before = dt / state.last_dt * face.of(state.last_change),
+                        now = dt * face.of(state.v) + 0.5 * dt * dt * face.of(state.a);
+  const double squared = as_before.squaredNorm();
+  return squared > 0 ? std::clamp(now.dot(as_before) / squared, slowest, fastest) : 1;
+}
+
+/// The last increment repeated: loading goes on mostly as it did, where the velocities ring from cell to cell. A mass
+/// on top says at which pace. Smooth motion is continued by a parabola through the last three states.
+Eigen::VectorXd first_guess(const SystemState &state, const StepTerms &terms, bool smooth) {
+  const double dt = terms.dt;
   if (!(state.last_dt > 0)) return state.u + dt * state.v;
-  const Eigen::VectorXd rate = state.last_change / state.last_dt;
+  const double pace = terms.remote ? change_of_pace(state, terms.remote->face, dt) : 1;
+  const Eigen::VectorXd rate = pace * state.last_change / state.last_dt;
   if (!smooth || !(state.dt_before > 0)) return state.u + dt * rate;
   const Eigen::VectorXd bend = (rate - state.change_before / state.dt_before) / (state.last_dt + state.dt_before);
   return state.u + dt * (rate + (dt + state.last_dt) * bend);
@@ -116,7 +127,7 @@ ContactStepReport time_step(ContactSystem &system, SystemState &state, const Ste
   StepTerms in_time = terms;
   in_time.inertia = &inertia;
   if (options.expects && state.last_dt > 0) in_time.expected = terms.dt / state.last_dt;
-  Eigen::VectorXd u = first_guess(state, terms.dt, options.smooth);
+  Eigen::VectorXd u = first_guess(state, terms, options.smooth);
   ContactStepReport report = solve(system, state, in_time, options, u);
   if (!report.converged) return report;
   report.multiplier = system.multiplier();

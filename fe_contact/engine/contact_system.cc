@@ -62,6 +62,7 @@ SystemState ContactSystem::at_rest() {
 void ContactSystem::prepare(const SystemState &old, const StepTerms &terms) {
   old_ = &old;
   terms_ = &terms;
+  answers_.begin();
   if (tangent_->symmetry() != symmetry())
     make_pattern(equations_.expand(old.u), old.contacts); // friction was set or taken away
   trial_.contacts = old.contacts;
@@ -89,7 +90,7 @@ bool ContactSystem::evaluate_on_the_pattern(const Eigen::VectorXd &u, bool with_
   {
     const Stopwatch watch(time_split["assembly"]);
     if (!solid_.assemble(displacements, old_->history, trial_.history, equations_, forces, solid_tangent,
-                         trial_.energies, terms_->dt))
+                         trial_.energies, terms_->dt, &answers_))
       return false;
   }
   const Stopwatch watch(time_split["search"]);
@@ -113,6 +114,16 @@ bool ContactSystem::evaluate_on_the_pattern(const Eigen::VectorXd &u, bool with_
   }
   if (!terms_->driven.empty()) drive(u, with_tangent);
   return residual_.allFinite();
+}
+
+bool ContactSystem::eliminate(Eigen::VectorXd &u) {
+  const Stopwatch watch(time_split["assembly"]);
+  std::vector<int> held; // what is prescribed, or carries the mass and with it forces that no cell has
+  for (const auto &driven : terms_->driven) held.push_back(driven.equation);
+  if (terms_->remote)
+    held.insert(held.end(), std::begin(terms_->remote->face.equation), std::end(terms_->remote->face.equation));
+  if (!elimination_) elimination_.emplace(solid_, equations_);
+  return elimination_->solve(u, {residual_, *tangent_, old_->history, terms_->dt, held});
 }
 
 /// Of the tangent every rank has the share of its cells and faces, and the first one what belongs to none.

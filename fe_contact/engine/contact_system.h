@@ -1,6 +1,7 @@
 /// Deformable solids, their contacts with exact surfaces, rigid bodies and dead loads, assembled into one
 /// residual and its tangent, unsymmetric where there is friction. Knows no bearing and no time loop.
 #pragma once
+#include "fe_contact/engine/nonlinear_elimination.h"
 #include "fe_contact/engine/remote_load.h"
 #include "fe_contact/engine/solid.h"
 #include "fe_contact/engine/surface_contact.h"
@@ -73,6 +74,8 @@ struct StepTerms {
 class ContactSystem : public NewtonTarget {
 public:
   ContactSystem(const Discretisation &space, const Solid &solid, Equations equations);
+  ContactSystem(const ContactSystem &) = delete; // parts of it refer to one another
+  ContactSystem &operator=(const ContactSystem &) = delete;
   /// Contacts and bodies' masses are added before the first state is made.
   void add_contact(meshes::Surface slave, const MasterSurface &master, const SurfaceContactOptions &options);
   void add_mass(int dof, double mass); ///< of a rigid body, on its three dofs [kg]
@@ -87,6 +90,7 @@ public:
   /// Sets what the next Newton solution is of; `old` and `terms` must outlive it.
   void prepare(const SystemState &old, const StepTerms &terms);
   bool evaluate(const Eigen::VectorXd &u, bool with_tangent) override;
+  bool eliminate(Eigen::VectorXd &u) override;
   const Eigen::VectorXd &residual() const override { return residual_; }
   double force_scale() const override { return scale_; }
   LinearSolver &solver() override { return tangent_->solver(); }
@@ -145,10 +149,12 @@ private:
   std::vector<std::pair<int, double>> body_masses_;
   std::optional<SystemMass> mass_; ///< made with the first pattern, when all bodies are there
   std::unique_ptr<Tangent> tangent_;
+  std::optional<NonlinearElimination> elimination_; ///< made when it is first asked for
 
   const SystemState *old_ = nullptr; ///< of the Newton solution under way
   const StepTerms *terms_ = nullptr;
   SystemState trial_;
+  CellAnswers answers_; ///< of the trial
   std::vector<SurfaceContact::Augmentation> augmentations_;
   Eigen::VectorXd residual_, diagonal_; ///< diagonal: of the last tangent, before what is driven and stabilised
   double rounding_ = 0;                 ///< of the forces [N]

@@ -16,6 +16,7 @@ public:
   void forget() {
     for (Cell &cell : cells_) cell.block.clear(); // its memory stays: solutions that take their time come here often
   }
+  bool has(std::size_t cell) const { return !cells_[cell].block.empty(); }
   /// Whether the cell's tangent serves at these deformation gradients, one a point.
   template <std::size_t n> bool serves(std::size_t cell, const std::array<Matrix3, n> &F) const {
     const Cell &kept = cells_[cell];

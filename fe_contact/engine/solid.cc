@@ -138,41 +138,90 @@ Solid::Answer Solid::answer(std::size_t c, const std::array<Matrix3, n> &F, cons
   return result;
 }
 
+template <int n> void Solid::set_displacements(std::size_t c, const Eigen::VectorXd &u, CellKernel<n> &kernel) const {
+  for (int a = 0; a < n; ++a)
+    for (int i = 0; i < 3; ++i) kernel.u[i][a] = u[3 * space_.cell_nodes[c * n + a] + i];
+}
+
+template <int n> std::array<Matrix3, n> Solid::deformation_gradients(std::size_t c, const CellKernel<n> &kernel) const {
+  std::array<Matrix3, n> F;
+  for (int q = 0; q < n; ++q) F[q] = kernel.deformation_gradient(&space_.full.gradients[(c * n + q) * 3 * n]);
+  return F;
+}
+
+template <int n>
+bool Solid::assemble_one(std::size_t c, const Eigen::VectorXd &u, const SolidHistory &old, SolidHistory &next,
+                         double dt, CellResponse &response) const {
+  auto kernel = std::make_unique<CellKernel<n>>();
+  set_displacements<n>(c, u, *kernel);
+  if (!answer<n>(c, deformation_gradients<n>(c, *kernel), old, next, dt, *kernel, true).admissible) return false;
+  response.forces.resize(3 * n);
+  response.stiffness.resize(3 * n, 3 * n);
+  for (int a = 0; a < n; ++a)
+    for (int i = 0; i < 3; ++i) {
+      response.forces[3 * a + i] = kernel->force[i][a];
+      for (int b = a; b < n; ++b)
+        for (int k = 0; k < 3; ++k)
+          response.stiffness(3 * a + i, 3 * b + k) = response.stiffness(3 * b + k, 3 * a + i) =
+              kernel->block[i][k][a][b];
+    }
+  return true;
+}
+
+bool Solid::assemble_cell(std::size_t cell, const Eigen::VectorXd &u, const SolidHistory &old, SolidHistory &next,
+                          double dt, CellResponse &response) const {
+  return space_.degree == 2 ? assemble_one<27>(cell, u, old, next, dt, response)
+                            : assemble_one<8>(cell, u, old, next, dt, response);
+}
+
+template <int n>
+const CellAnswers::Cell *Solid::recall_or_make(std::size_t c, const SolidHistory &old, SolidHistory &next, double dt,
+                                               CellKernel<n> &kernel, bool with_tangent, CellAnswers &answers) const {
+  constexpr int m = 3 * n;
+  if (const auto *kept = answers.recall(c, &kernel.u[0][0], m, with_tangent))
+    if (!with_tangent || kept_.has(c)) return kept;
+  const std::array<Matrix3, n> F = deformation_gradients<n>(c, kernel);
+  bool anew = with_tangent && !kept_.serves(c, F);
+  Answer made = answer<n>(c, F, old, next, dt, kernel, anew);
+  if (with_tangent && !anew && made.admissible && made.flows) {
+    anew = true;
+    made = answer<n>(c, F, old, next, dt, kernel, true);
+  }
+  CellAnswers::Cell &cell = answers.of(c);
+  cell.displacements.clear();
+  if (!made.admissible) return nullptr;
+  if (anew) kept_.keep(c, F, made.flows, kernel);
+  cell.displacements.assign(&kernel.u[0][0], &kernel.u[0][0] + m);
+  cell.forces.resize(m);
+  for (int i = 0; i < 3; ++i) std::copy_n(kernel.force[i], n, cell.forces.data() + i * n);
+  cell.energies = made.energies;
+  cell.has_tangent = with_tangent;
+  return &cell;
+}
+
 template <int n>
 bool Solid::assemble_cells(const unsigned *begin, const unsigned *end, const Eigen::VectorXd &u,
                            const SolidHistory &old, SolidHistory &next, double dt, const Equations &equations,
                            Eigen::VectorXd &forces, const std::vector<int> *places, double *tangent,
-                           SolidEnergies &energies) const {
+                           SolidEnergies &energies, CellAnswers &answers) const {
   constexpr int m = 3 * n;
   auto kernel = std::make_unique<CellKernel<n>>();
-  std::array<Matrix3, n> F; // as many full points as nodes
-  SolidEnergies sum;        // not yet where other threads write beside it
+  SolidEnergies sum; // not yet where other threads write beside it
   for (const unsigned *cell = begin; cell < end; ++cell) {
     const std::size_t c = *cell;
-    const unsigned *nodes = &space_.cell_nodes[c * n];
-    for (int a = 0; a < n; ++a)
-      for (int i = 0; i < 3; ++i) kernel->u[i][a] = u[3 * nodes[a] + i];
-    for (int q = 0; q < n; ++q) F[q] = kernel->deformation_gradient(&space_.full.gradients[(c * n + q) * m]);
-    bool anew = tangent && !kept_.serves(c, F);
-    Answer cell_answer = answer<n>(c, F, old, next, dt, *kernel, anew);
-    if (tangent && !anew && cell_answer.admissible && cell_answer.flows) {
-      anew = true;
-      cell_answer = answer<n>(c, F, old, next, dt, *kernel, true);
-    }
-    if (!cell_answer.admissible) return false;
-    sum.elastic += cell_answer.energies.elastic;
-    sum.plastic += cell_answer.energies.plastic;
-    sum.damping += cell_answer.energies.damping;
+    set_displacements<n>(c, u, *kernel);
+    const CellAnswers::Cell *made = recall_or_make<n>(c, old, next, dt, *kernel, tangent != nullptr, answers);
+    if (!made) return false;
+    sum += made->energies;
     double weights[m];
     int eqs[m];
     for (int k = 0; k < m; ++k) {
-      const unsigned dof = 3 * nodes[k / 3] + k % 3;
+      const unsigned dof = 3 * space_.cell_nodes[c * n + k / 3] + k % 3;
       eqs[k] = equations.of_dof[dof];
       weights[k] = equations.weight[dof];
-      if (eqs[k] >= 0) forces[eqs[k]] += weights[k] * kernel->force[k % 3][k / 3];
+      if (eqs[k] >= 0) forces[eqs[k]] += weights[k] * made->forces[k % 3 * n + k / 3];
     }
     if (!tangent) continue;
-    if (anew) kept_.keep(c, F, cell_answer.flows, *kernel);
     const double *value = kept_.block(c);
     const int *place = places->data() + c * (m * (m + 1) / 2);
     for (int row = 0; row < m; ++row)
@@ -187,10 +236,13 @@ bool Solid::assemble_cells(const unsigned *begin, const unsigned *end, const Eig
 }
 
 bool Solid::assemble(const Eigen::VectorXd &u, const SolidHistory &old, SolidHistory &next, const Equations &equations,
-                     Eigen::VectorXd &forces, SymmetricMatrix *tangent, SolidEnergies &energies, double dt) const {
+                     Eigen::VectorXd &forces, SymmetricMatrix *tangent, SolidEnergies &energies, double dt,
+                     CellAnswers *answers) const {
   const int workers = assembly_threads();
   const std::vector<int> *places = tangent ? &places_in(*tangent, equations) : nullptr;
-  next = old; // cells that do not move keep theirs
+  CellAnswers none;
+  CellAnswers &known = answers ? *answers : none;
+  if (known.take_fresh(space_.n_cells)) next = old; // cells that do not move keep theirs
   const std::vector<unsigned> cells = moving_cells(equations);
   const std::vector<std::size_t> offsets = ranks().offsets(cells.size());
   const unsigned *own_cells = cells.data() + offsets[ranks().own];
@@ -207,7 +259,7 @@ bool Solid::assemble(const Eigen::VectorXd &u, const SolidHistory &old, SolidHis
     }
     const auto run = space_.degree == 2 ? &Solid::assemble_cells<27> : &Solid::assemble_cells<8>;
     admissible[w] = (this->*run)(own_cells + begin, own_cells + end, u, old, next, dt, equations, part_forces[w],
-                                 places, values, part_energies[w]);
+                                 places, values, part_energies[w], known);
   });
   if (ranks().any(std::find(admissible.begin(), admissible.end(), 0) != admissible.end())) return false;
   Eigen::VectorXd summed = Eigen::VectorXd::Zero(equations.n + 3); // forces, energies

@@ -3,6 +3,7 @@
 /// keeps Q2 and Q1 from locking where the steel flows, and stays symmetric). Memory is trial/committed: `old`
 /// in, `next` out.
 #pragma once
+#include "fe_contact/engine/cell_answers.h"
 #include "fe_contact/engine/discretisation.h"
 #include "fe_contact/engine/kept_tangents.h"
 #include "fe_contact/laws/crack_measure.h"
@@ -17,12 +18,6 @@ namespace rimpact::fe {
 
 /// States of all material points, [cell][full point].
 using SolidHistory = std::vector<J2State>;
-
-struct SolidEnergies {
-  double elastic = 0.0; ///< [J]
-  double plastic = 0.0; ///< plastic work, hardening and viscous part included [J]; a function of the history alone
-  double damping = 0.0; ///< lost in the pad as it strains [J]; likewise
-};
 
 /// Of one volume.
 struct SolidLaw {
@@ -41,6 +36,12 @@ struct SolidLaw {
   Vector6 stress_at_rest(const HenckyJ2 &resting, const J2State &state, const Matrix3 &F) const;
 };
 
+/// A cell's internal forces and tangent by its own dofs, node by node.
+struct CellResponse {
+  Eigen::VectorXd forces;    ///< [N]
+  Eigen::MatrixXd stiffness; ///< [N/m]
+};
+
 class Solid {
 public:
   /// All volumes of a bearing's mesh are steel, each that of its part, but the pad (Ertalyte).
@@ -56,9 +57,18 @@ public:
   /// next [s]; 0: infinitely slow.
   /// False when a point is inadmissible (inverted): the step must be cut. A cell whose dofs are all held has no
   /// part in it: its history is kept, its energy not counted. With several ranks the tangent is that of this
-  /// rank's cells alone; all else is whole.
+  /// rank's cells alone; all else is whole. `answers`: of the same step, its `old`, its `dt` and its `next`, which then
+  /// has to be as it was left.
   bool assemble(const Eigen::VectorXd &u, const SolidHistory &old, SolidHistory &next, const Equations &equations,
-                Eigen::VectorXd &forces, SymmetricMatrix *tangent, SolidEnergies &energies, double dt = 0) const;
+                Eigen::VectorXd &forces, SymmetricMatrix *tangent, SolidEnergies &energies, double dt = 0,
+                CellAnswers *answers = nullptr) const;
+  /// Of one cell by itself at dof displacements u; writes its points of `next`. False: a point is inadmissible.
+  bool assemble_cell(std::size_t cell, const Eigen::VectorXd &u, const SolidHistory &old, SolidHistory &next, double dt,
+                     CellResponse &response) const;
+  /// What a cell's dof has of its equation, see Equations.
+  double weight_of(std::size_t cell, std::size_t dof, const Equations &equations) const {
+    return equations.weight[3 * space_.cell_nodes[cell * space_.nodes_per_cell + dof / 3] + dof % 3];
+  }
   /// Cliques of equations that masses couple, one a cell and direction.
   std::vector<std::vector<int>> mass_couplings(const Equations &equations) const;
   /// Of all cells, or of those whose tangent is this rank's.
@@ -80,6 +90,12 @@ private:
   template <int n>
   Answer answer(std::size_t cell, const std::array<Matrix3, n> &F, const SolidHistory &old, SolidHistory &next,
                 double dt, CellKernel<n> &kernel, bool with_tangent) const;
+  template <int n> void set_displacements(std::size_t cell, const Eigen::VectorXd &u, CellKernel<n> &kernel) const;
+  /// Deformation gradients of the cell's full points, as many as it has nodes.
+  template <int n> std::array<Matrix3, n> deformation_gradients(std::size_t cell, const CellKernel<n> &kernel) const;
+  template <int n>
+  bool assemble_one(std::size_t cell, const Eigen::VectorXd &u, const SolidHistory &old, SolidHistory &next, double dt,
+                    CellResponse &response) const;
   /// Plastic work of a cell's points that the hardening curve does not know [J].
   double work_beside_the_curve(std::size_t cell, const SolidHistory &history) const;
   /// Adds what the step did to the steel of a cell that flows; `mises`, `mean`: Kirchhoff stresses at its full points
@@ -89,7 +105,13 @@ private:
   template <int n>
   bool assemble_cells(const unsigned *begin, const unsigned *end, const Eigen::VectorXd &u, const SolidHistory &old,
                       SolidHistory &next, double dt, const Equations &equations, Eigen::VectorXd &forces,
-                      const std::vector<int> *places, double *tangent, SolidEnergies &energies) const;
+                      const std::vector<int> *places, double *tangent, SolidEnergies &energies,
+                      CellAnswers &answers) const;
+  /// The cell's answer at the kernel's displacements, kept or made now; its tangent is then among the kept ones. Null:
+  /// inadmissible.
+  template <int n>
+  const CellAnswers::Cell *recall_or_make(std::size_t cell, const SolidHistory &old, SolidHistory &next, double dt,
+                                          CellKernel<n> &kernel, bool with_tangent, CellAnswers &answers) const;
   void all_gather(SolidHistory &history, const std::vector<unsigned> &cells,
                   const std::vector<std::size_t> &offsets) const;
   std::vector<unsigned> moving_cells(const Equations &equations) const; ///< with a dof that is not held

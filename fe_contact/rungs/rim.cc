@@ -39,7 +39,9 @@ StepOptions rim_steps() {
   options.newton.tolerance = 1e-5;
   options.newton.max_iterations = 15;
   options.newton.finest_forcing = 1e-6;
-  options.gap_tolerance = options.slip_tolerance = 3e-5;
+  options.newton.first_forcing = 1e-3;
+  options.newton.eliminates = true; // thin cells of the slider's edge
+  options.gap_tolerance = options.slip_tolerance = 2e-5;
   options.max_augmentations = 3;
   options.expects = true;
   return options;

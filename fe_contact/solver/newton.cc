@@ -7,10 +7,11 @@
 
 namespace rimpact::fe {
 
-double forcing_term(const std::vector<double> &residuals, double last, double tolerance, double finest) {
-  constexpr double largest = 1e-2, gamma = 0.9;
+double forcing_term(const std::vector<double> &residuals, double last, const NewtonOptions &options) {
+  const double largest = residuals.size() < 2 ? options.first_forcing : 1e-2;
+  constexpr double gamma = 0.9;
   // What falls below the tolerance anyhow need not be solved further (Kelley 1995).
-  const double enough = std::min(largest, std::max(finest, 0.3 * tolerance / residuals.back()));
+  const double enough = std::min(largest, std::max(options.finest_forcing, 0.3 * options.tolerance / residuals.back()));
   // A solution taken up again, its multipliers changed, starts near: Dembo, Eisenstat and Steihaug's choice.
   if (residuals.size() < 2) return std::clamp(residuals.back(), enough, largest);
   const double ratio = residuals.back() / residuals[residuals.size() - 2];
@@ -113,6 +114,22 @@ std::optional<double> backtrack(NewtonTarget &target, Eigen::VectorXd &u, const 
   return best;
 }
 
+/// A change that leaves much of the residual has met what bends, mostly in a few equations: these are solved by
+/// themselves before the next change of all. Returns the residual reached.
+double eliminate(NewtonTarget &target, Eigen::VectorXd &u, double before, double reached, double tolerance) {
+  constexpr double much = 0.02, far = 10; // of the residual before; tolerances
+  if (!target.has_tangent || reached < much * before || reached < far * tolerance) return reached;
+  const Eigen::VectorXd start = u;
+  if (!target.eliminate(u)) return reached;
+  ++target.work.eliminations;
+  target.exactly = false; // the tangents elsewhere were made just now
+  if (evaluate(target, u, true))
+    if (const double left = relative_residual(target); left < reached) return left;
+  u = start;
+  evaluate(target, u, true);
+  return reached;
+}
+
 /// One iteration: the direction, and how far to go. Converged: there is a next residual.
 NewtonOutcome iterate(NewtonTarget &target, Eigen::VectorXd &u, const NewtonOptions &options, NewtonReport &report,
                       double &forcing) {
@@ -121,7 +138,7 @@ NewtonOutcome iterate(NewtonTarget &target, Eigen::VectorXd &u, const NewtonOpti
   target.exactly = report.iterations >= options.exact_from;
   if (!target.has_tangent) evaluate(target, u, true);
   const bool with_tangent = !is_last(report.residuals, options.tolerance);
-  forcing = forcing_term(report.residuals, forcing, options.tolerance, options.finest_forcing);
+  forcing = forcing_term(report.residuals, forcing, options);
   Direction direction{solve_tangent(target, forcing, options.stale_factor)};
   if (direction.change.size() == 0) return NewtonOutcome::singular_tangent;
   const BorderingConstraint *border = target.border();
@@ -129,7 +146,9 @@ NewtonOutcome iterate(NewtonTarget &target, Eigen::VectorXd &u, const NewtonOpti
   const auto reached = backtrack(target, u, direction, report.residuals.back(), report.iterations == 1, with_tangent,
                                  options.max_backtracks);
   if (!reached) return NewtonOutcome::inverted_cell;
-  report.residuals.push_back(*reached);
+  const double left =
+      options.eliminates ? eliminate(target, u, report.residuals.back(), *reached, options.tolerance) : *reached;
+  report.residuals.push_back(left);
   return NewtonOutcome::converged;
 }
 

@@ -25,6 +25,9 @@ public:
   bool has_tangent = false; ///< of the last evaluation
   bool exactly = false;     ///< the next tangent is to hold nothing kept from other evaluations
   virtual const Eigen::VectorXd &residual() const = 0;
+  /// Solves a few equations that keep most of the residual by themselves, where that can be done: u moves there. To be
+  /// called where the target stands evaluated at u with its tangent. False: u is as it was.
+  virtual bool eliminate(Eigen::VectorXd & /*u*/) { return false; }
   /// Size of the forces in play [N], against which the residual is small or not.
   virtual double force_scale() const = 0;
   virtual LinearSolver &solver() = 0; ///< of the tangent
@@ -40,9 +43,12 @@ struct NewtonOptions {
   int max_backtracks = 4;
   int patience =
       0; ///< given up where the residual hardly fell (to 0.6) in so many iterations after the first; 0: never
-  bool stale_factor = true;      ///< false: factorise at every iteration
+  bool stale_factor = true; ///< false: factorise at every iteration
+  /// The first linear system's largest relative residual: what is left of the loading strains small cells.
+  double first_forcing = 1e-2;
   double finest_forcing = 1e-10; ///< the linear systems are never asked for a smaller relative residual
   bool evaluated = false;        ///< the target stands evaluated at u already
+  bool eliminates = false;       ///< where a change leaves much of the residual, what keeps it is solved by itself
   int exact_from = 3;            ///< iterations after which tangents hold nothing kept; 0: none ever does
 };
 
@@ -66,7 +72,7 @@ struct NewtonReport {
 
 /// Relative residual to which an iteration's linear system need be solved: Eisenstat and Walker (1996), choice 2 with
 /// its safeguard. `residuals` so far, at least one; `last`: the term before (0: none).
-double forcing_term(const std::vector<double> &residuals, double last, double tolerance, double finest);
+double forcing_term(const std::vector<double> &residuals, double last, const NewtonOptions &options);
 /// GMRES's iterations after which a factor is given up, and after which it is renewed.
 inline constexpr int most_linear_iterations = 30, refactorise_after = 6;
 

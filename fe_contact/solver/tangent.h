@@ -26,6 +26,8 @@ public:
   /// The equation becomes diagonal * change = -diagonal * miss, `miss` its value less what it is driven to. In a
   /// symmetric tangent its column goes too: `moved` gains what the change -miss does to the other equations' residuals.
   void drive(int equation, double diagonal, double miss, Eigen::VectorXd &moved);
+  /// The dense tangent of some equations, others held; of all ranks.
+  Eigen::MatrixXd block(const std::vector<int> &equations) const;
   Symmetry symmetry() const { return general_ ? Symmetry::general : Symmetry::symmetric; }
   Eigen::VectorXd multiply(const Eigen::VectorXd &x) const {
     return general_ ? general_->multiply(x) : symmetric_.multiply(x);
