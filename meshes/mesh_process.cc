@@ -154,10 +154,10 @@ std::string ending_of(int status) {
   return fmt::format("ended without an answer (exit code {})", WEXITSTATUS(status));
 }
 
-/// What rimpact-gmsh answers of a file.
-json answer_of(const std::string &file, json asked) {
+/// What rimpact-gmsh answers of a file; `asked_by` is the key or the option that names it.
+json answer_of(const std::string &file, const char *asked_by, json asked) {
   const auto fail = [&](const std::string &what) { throw DataError(fmt::format("{}: {}", file, what)); };
-  if (!std::filesystem::exists(file)) fail("no such mesh file (model.own_mesh.file)");
+  if (!std::filesystem::exists(file)) fail(fmt::format("no such mesh file ({})", asked_by));
   require_safe(file);
   Pipe to, from;
   const pid_t process = spawn(to, from);
@@ -191,13 +191,13 @@ json listed(const std::string &path, const std::string &file) {
 } // namespace
 
 DrawnMesh read_mesh_apart(const scene::OwnMesh &own, const DrawingUse &use) {
-  return unpacked(answer_of(own.file, request(own, use)));
+  return unpacked(answer_of(own.file, "model.own_mesh.file", request(own, use)));
 }
 
 json list_surfaces(const std::string &file) {
   json asked = request({.file = file, .groups = {}}, {});
   asked["list"] = true;
-  return answer_of(file, std::move(asked))["bodies"];
+  return answer_of(file, "--surfaces", std::move(asked))["bodies"];
 }
 
 int serve_mesh(int input, int output) {

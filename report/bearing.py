@@ -16,9 +16,9 @@ def value(bearing: dict[str, Any], part: str, key: str) -> float | None:
 
 
 def lateral_capacity(bearing: dict[str, Any]) -> float | None:
-    """L_c [m] by (2-5), between two dishes that of both; None where the dimensions are not written out."""
+    """L_c [m] of one dish by (2-5); None of two, or where the dimensions are not written out: a run's summary has it of any bearing."""
     if is_double_concave(bearing):
-        return TwoDishes(bearing).capacity if not TwoDishes.missing(bearing) else None
+        return None
     reach, diameter = value(bearing, "surface", "planar_radius_mm"), value(bearing, "slider", "diameter_mm")
     return reach + (value(bearing, "rim", "ledge_mm") or 0.0) - diameter / 2 if reach and diameter else None
 
@@ -28,25 +28,20 @@ def is_double_concave(bearing: dict[str, Any]) -> bool:
 
 
 class TwoDishes:
-    """A slider between two like dishes: scene/bearing.h, in SI."""
+    """The outline of a slider between two like dishes, in SI."""
 
-    KEYS = (("surface", "R0_m"), ("surface", "planar_radius_mm"), ("slider", "diameter_mm"), ("slider", "height_mm"))
+    KEYS = (("surface", "R0_m"), ("slider", "diameter_mm"), ("slider", "height_mm"))
 
     @classmethod
     def missing(cls, bearing: dict[str, Any]) -> list[str]:
         return [f"{part}.{key}" for part, key in cls.KEYS if not value(bearing, part, key)]
 
     def __init__(self, bearing: dict[str, Any]) -> None:
-        self.R, reach, diameter, self.height = (value(bearing, part, key) or 0.0 for part, key in self.KEYS)
-        self.radius, self.edge = diameter / 2, value(bearing, "slider", "edge_radius_mm") or 0.0
-        wall = reach + (value(bearing, "rim", "ledge_mm") or 0.0)
-        out = self.radius - self.edge
-        down = np.sqrt((self.R - self.edge) ** 2 - out ** 2)
-        self.tilt = float(np.arcsin((wall - self.edge) / np.hypot(out, down)) - np.arctan2(out, down))  # where both rims are touched
-        self.capacity = float((2 * self.R - self.height) * np.sin(self.tilt))
+        self.R, diameter, self.height = (value(bearing, part, key) or 0.0 for part, key in self.KEYS)
+        self.radius = diameter / 2
 
     def tilt_at(self, travel: float) -> float:
-        """At a travel of what is carried [rad]."""
+        """At a travel of what is carried [rad], which rides a sphere of R_eff = 2 R - H (3-94)."""
         return float(np.arcsin(travel / (2 * self.R - self.height)))
 
     def middle(self, travel: float) -> np.ndarray:

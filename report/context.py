@@ -2,7 +2,7 @@
 from typing import Any
 
 from . import calibration_file
-from .bearing import assumed_keys
+from .bearing import assumed_keys, lateral_capacity
 from .blocks import Pictures
 from .doubts import Doubts
 from .numbers import is_number
@@ -49,7 +49,9 @@ class Context:
             self.assumed = {key for key in self.assumed if key.split(".")[0] in self.scene}
         runs = [entry.any_run for entry in self.results.entries]
         self.whole_bearing = any(run is not None and _has_stack(run) for run in runs) or bool(WHOLE & set(_listed(self.results.answer.get("rung"))))
-        self.capacity = next((run.lateral_capacity for run in runs if run is not None and is_number(run.lateral_capacity)), None)
+        stated = [*(run.lateral_capacity for run in runs if run is not None), self.results.curves.get("lateral_capacity_m"),
+                  None if self.rigid_bodies else lateral_capacity(self.scene.get("bearing", {}))]
+        self.capacity: float | None = next((found for found in stated if is_number(found)), None)
 
     @property
     def measured(self) -> bool:

@@ -12,6 +12,7 @@ import numpy as np
 from . import bearing, triple
 from .data_files import check_signals, read_csv, read_hdf5, read_json
 from .errors import DataError
+from .numbers import is_number
 from .shapes import SCENE, SUMMARY, check
 
 
@@ -60,7 +61,9 @@ class Run:
 
     @property
     def lateral_capacity(self) -> float | None:
-        """L_c [m] by (2-5); from the stored gap when the scene does not say."""
+        """L_c [m] as the program states it; of a run of an earlier version by its dimensions, else by the stored gap."""
+        if is_number(stated := self.summary.get("lateral_capacity_m")):
+            return float(stated)
         if self.get("reduced", "model") in ("dcfp", "lir-dcfp"):
             return self.get("isolator", "capacity_m")
         if self.get("reduced", "model") == "tfp":

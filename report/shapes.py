@@ -42,7 +42,7 @@ IMPACT: Shape = numbers("touch_time_s release_time_s direction_deg approach_spee
 SUMMARY: Shape = {
     **numbers("peak_displacement_m peak_lateral_force_N peak_impact_force_N n_impacts residual_displacement_m final_speed_m_s "
               "peak_vertical_displacement_m min_normal_force_N max_plastic_strain mesh n_dofs n_steps n_newton_iterations "
-              "wall_time_s peak_memory_bytes peak_drift_m peak_storey_shear_N peak_floor_acceleration_m_s2 ductility"),
+              "lateral_capacity_m wall_time_s peak_memory_bytes peak_drift_m peak_storey_shear_N peak_floor_acceleration_m_s2 ductility"),
     **texts("rung status reason"), "impacts": [IMPACT], "warnings": [TEXT], "energy": {"*": NUMBER},
     "time_split_s": {"*": NUMBER}, "collapsed": FLAG, "beyond_rim": FLAG, "beyond_fit": FLAG,
     "error_estimate": {"peak_force_relative": NUMBER, "sentence": TEXT, "none": TEXT},
@@ -112,7 +112,7 @@ CALIBRATION: Shape = {
     "search": {**numbers("impacts starts starts_agreeing"), "message": TEXT}, "notes": [TEXT],
 }
 CURVE: Shape = dict.fromkeys(("time_s", "penetration_m", "force_N"), [NUMBER])
-CURVES: Shape = {"scene": TEXT, "law": TEXT, "impacts": [{**texts("run source"), **numbers("touch_time_s approach_speed_m_s"),
+CURVES: Shape = {"scene": TEXT, "law": TEXT, "lateral_capacity_m": NUMBER, "impacts": [{**texts("run source"), **numbers("touch_time_s approach_speed_m_s"),
                                                    "fitted": FLAG, "grazing": FLAG, "reference": CURVE, "law": CURVE}]}
 
 

@@ -2,6 +2,7 @@
 
 #include "io/files/error.h"
 #include "io/files/json_text.h"
+#include "responses/crossing.h"
 #include <algorithm>
 #include <cmath>
 
@@ -10,12 +11,12 @@ namespace rimpact {
 namespace {
 
 std::optional<double> force_where_it_goes(const Response &r) {
-  const auto &use = r.series("rim_foot_use"), &x = r.series("impact_x"), &y = r.series("impact_y");
-  const auto force = [&](std::size_t i) { return std::hypot(x[i], y[i]); };
-  const auto k =
-      static_cast<std::size_t>(std::find_if(use.begin(), use.end(), [](double u) { return u > 1; }) - use.begin());
-  if (k == use.size()) return {};
-  return k == 0 ? force(0) : std::lerp(force(k - 1), force(k), (1 - use[k - 1]) / (use[k] - use[k - 1]));
+  const auto &x = r.series("impact_x"), &y = r.series("impact_y");
+  const auto gone = first_crossing(r.series("rim_foot_use"), 1);
+  if (!gone) return {};
+  std::vector<double> force(x.size());
+  std::ranges::transform(x, y, force.begin(), [](double fx, double fy) { return std::hypot(fx, fy); });
+  return gone->of(force);
 }
 
 } // namespace

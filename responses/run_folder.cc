@@ -14,9 +14,11 @@
 namespace rimpact {
 namespace {
 
-/// A long run has noted its identity when it began and read its files; a short one has just read them. A file that is
-/// gone since must not cost the result, which then counts as one without an identity.
-nlohmann::json with_identity(nlohmann::json summary, const scene::Scene &scene) {
+/// What it is a run of, beside what came out. A long run has noted its identity when it began and read its files; a
+/// short one has just read them. A file that is gone since must not cost the result, which then counts as one without
+/// an identity.
+nlohmann::json of_scene(nlohmann::json summary, const scene::Scene &scene) {
+  summary["lateral_capacity_m"] = scene.lateral_capacity();
   if (summary.contains("identity")) return summary;
   try {
     summary["identity"] = to_json(identity_of(scene));
@@ -35,7 +37,7 @@ void write_run_folder(const std::string &folder, const scene::Scene &scene, Resp
   Summary summary = given;
   if (summary.status != RunStatus::done || doubt_of_rebound(response, summary.impacts))
     leave_last_impact_open(response, summary);
-  const std::string toml = to_toml(scene), json = json_text(with_identity(to_json(summary), scene));
+  const std::string toml = to_toml(scene), json = json_text(of_scene(to_json(summary), scene));
   response.series("time"); // a run stopped before its first sample still leaves a readable file
   response.meta["version"] = RIMPACT_VERSION;
   response.meta["git"] = RIMPACT_GIT_HASH;

@@ -9,25 +9,27 @@ namespace rimpact::scene {
 
 namespace {
 
-using Factors = std::array<std::pair<const char *, const std::optional<double> *>, 4>;
-
-Factors named(const EuropeanFactors &e) {
-  return {{{"lambda_ageing", &e.ageing},
-           {"lambda_temperature", &e.temperature},
-           {"lambda_contamination", &e.contamination},
-           {"lambda_travel", &e.travel}}};
-}
+struct EuropeanFactor {
+  Key key;
+  std::optional<double> EuropeanFactors::*value;
+};
+constexpr std::array european_factors{
+    EuropeanFactor{{"lambda_ageing", "of ageing, at its worst; inf: not given"}, &EuropeanFactors::ageing},
+    EuropeanFactor{{"lambda_temperature", "of the lowest temperature; inf: not given"}, &EuropeanFactors::temperature},
+    EuropeanFactor{{"lambda_contamination", "of dirt; inf: not given"}, &EuropeanFactors::contamination},
+    EuropeanFactor{{"lambda_travel", "of the travel gathered over the life; inf: not given"},
+                   &EuropeanFactors::travel}};
 
 double product(const EuropeanFactors &factors) {
   double all = 1;
-  for (const auto &[name, factor] : named(factors)) all *= 1 + factors.combination * (factor->value_or(1) - 1);
+  for (const auto &[key, value] : european_factors) all *= 1 + factors.combination * ((factors.*value).value_or(1) - 1);
   return all;
 }
 
 void check_given(const FrictionBounds &b) {
   std::vector<std::string> missing;
-  for (const auto &[name, factor] : named(b.european))
-    if (!*factor) missing.emplace_back(name);
+  for (const auto &[key, value] : european_factors)
+    if (!(b.european.*value)) missing.emplace_back(key.name);
   if (missing.empty() || b.lambda_max) return;
   throw InputError(fmt::format("[bounds] standard \"{}\" needs {}: the standard prints them by material, sealing and "
                                "temperature (EN 1998-2, annex JJ), and this program has no values of its own",
@@ -66,10 +68,7 @@ void visit(KeyVisitor &v, FrictionBounds &b) {
   }
   if (v.wants(!asce)) {
     auto &e = b.european;
-    v.limit({"lambda_ageing", "of ageing, at its worst; inf: not given"}, e.ageing, si, up);
-    v.limit({"lambda_temperature", "of the lowest temperature; inf: not given"}, e.temperature, si, up);
-    v.limit({"lambda_contamination", "of dirt; inf: not given"}, e.contamination, si, up);
-    v.limit({"lambda_travel", "of the travel gathered over the life; inf: not given"}, e.travel, si, up);
+    for (const auto &[key, value] : european_factors) v.limit(key, e.*value, si, up);
     v.number({"lambda_combination", "psi: how much of each counts, all taken together"}, e.combination, si, {0, 1});
   }
   v.number({"lambda_spec_max", "of production's tolerance", true}, b.spec_max, si, up);

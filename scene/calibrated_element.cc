@@ -6,29 +6,24 @@
 #include "scene/keys.h"
 #include "scene/rim_identity.h"
 #include "scene/scene_keys.h"
+#include "scene/stored_calibration.h"
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <mutex>
-#include <nlohmann/json.hpp>
 
 namespace rimpact::scene {
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
 
-/// A parameter by the name calibrations give it, and the scene's key.
-struct Parameter {
-  std::string unit, key;
-};
-
-const std::map<std::string, Parameter> &parameters() {
+/// Keys of a law's numbers, by the name that calibrations give them.
+const std::map<std::string, std::string> &number_keys() {
   static const auto all = [] {
-    std::map<std::string, Parameter> list{{"capacity_offset", {"mm", "capacity_offset_mm"}}};
-    for (const auto &p : laws::law_parameters()) list[p.name] = {p.unit, p.key};
+    std::map<std::string, std::string> list{{"capacity_offset", "capacity_offset_mm"}};
+    for (const auto &p : laws::law_parameters()) list[p.name] = p.key;
     return list;
   }();
   return all;
@@ -46,68 +41,42 @@ struct Element {
   [[noreturn]] void fail(const std::string &what) const {
     throw DataError(fmt::format("{}: its element cannot be read: {}", origin, what));
   }
-  void number(const std::string &key, const json &value) {
-    if (!value.is_number() || !std::isfinite(value.get<double>())) fail(key + " is not a finite number");
-    values[key] = fmt::format("{}", value.get<double>());
+  void number(const std::string &key, std::optional<double> value) {
+    if (value) values[key] = fmt::format("{}", *value);
+  }
+  void text(const std::string &key, const std::string &value) {
+    if (!value.empty()) values[key] = toml_quoted(value);
   }
 };
 
-/// A member of an object; null where there is none.
-const json &member(const json &object, const char *name) {
-  static const json none;
-  const auto found = object.is_object() ? object.find(name) : object.end();
-  return object.is_object() && found != object.end() ? *found : none;
+StackTerms terms_of(const StoredStack &stack) {
+  StackTerms terms{.values = {}, .slip_from = stack.slip_from};
+  const auto flag = [&](const char *key, std::optional<bool> value) {
+    if (value) terms.values[key] = *value ? "true" : "false";
+  };
+  flag("finite_pad", stack.finite_pad), flag("socket_friction", stack.socket_friction);
+  if (stack.normal_force) terms.values["normal_force"] = toml_quoted(word(*stack.normal_force));
+  if (stack.friction) terms.values["friction"] = toml_quoted(word(*stack.friction));
+  if (stack.elastic_slip) terms.values["elastic_slip_mm"] = fmt::format("{:.9g}", 1e3 * *stack.elastic_slip);
+  return terms;
 }
 
-void read_parameters(const json &entries, Element &element) {
-  if (!entries.is_object()) element.fail("answer.law.element is not there");
-  for (const auto &[name, entry] : entries.items()) {
-    if (name == "reference_speed_m_per_s") element.number(name, entry);
-    if (!entry.is_object()) continue; // lateral_capacity_m and the like
-    const auto known = parameters().find(name);
-    if (known == parameters().end()) element.fail("this version knows no parameter \"" + name.substr(0, 60) + "\"");
-    const auto &[unit, key] = known->second;
-    if (member(entry, "unit") != unit) element.fail(fmt::format("{} is not in {}", name, unit));
-    element.number(key, member(entry, "value"));
+void take_answer(const StoredAnswer &answer, Element &element) {
+  const StoredLaw &law = answer.law;
+  element.text("impact_law", law.name);
+  for (const auto &[name, value] : law.element.numbers) element.number(number_keys().at(name), value);
+  element.number("reference_speed_m_per_s", law.element.reference_speed);
+  element.capacity = law.element.lateral_capacity;
+  element.number("fitted_from_m_per_s", law.fitted_from), element.number("fitted_to_m_per_s", law.fitted_to);
+  element.number(law.belongs_to == BelongsTo::mass ? "fitted_mass_kg" : "fitted_speeds_mass_kg", answer.mass);
+  element.rim = answer.rim_identity;
+  element.text("fitted_rim", element.rim);
+  if (answer.foot) {
+    element.text("foot_joint", answer.foot->joint);
+    if (answer.foot->goes_at_force) element.values["foot_force_kN"] = file_number(*answer.foot->goes_at_force, kilo);
   }
-}
-
-void read_stack(const json &terms, Element &element) {
-  if (const json &from = member(terms, "elastic_slip_from"); from.is_string())
-    element.stack.slip_from = parse<SlipFrom>(from.get<std::string>()).value_or(SlipFrom::bearing);
-  for (const auto &key : stack_keys()) {
-    const json &value = member(terms, key.c_str());
-    if (value.is_boolean()) element.stack.values[key] = value.get<bool>() ? "true" : "false";
-    if (value.is_string()) element.stack.values[key] = toml_quoted(value.get<std::string>());
-    if (value.is_number()) element.stack.values[key] = fmt::format("{:.9g}", value.get<double>());
-  }
-}
-
-/// Where the joint at the rim's foot goes.
-void read_foot(const json &foot, Element &element) {
-  const json &joint = member(foot, "joint"), &force = member(foot, "goes_at_force_kN");
-  if (joint.is_string() && !joint.get<std::string>().empty())
-    element.values["foot_joint"] = toml_quoted(joint.get<std::string>());
-  if (!force.is_null()) element.number("foot_force_kN", force);
-}
-
-void read_answer(const json &answer, Element &element) {
-  const json &law = member(answer, "law");
-  if (!member(law, "name").is_string()) element.fail("answer.law.name is not a word");
-  element.values["impact_law"] = toml_quoted(law["name"].get<std::string>());
-  read_parameters(member(law, "element"), element);
-  if (const json &begins = member(law["element"], "lateral_capacity_m"); begins.is_number())
-    element.capacity = begins.get<double>();
-  for (const auto &[name, key] :
-       {std::pair{"fitted_from_m_s", "fitted_from_m_per_s"}, {"fitted_to_m_s", "fitted_to_m_per_s"}})
-    if (!member(law, name).is_null()) element.number(key, law[name]);
-  if (const json &mass = member(answer, "mass_kg"); mass.is_number())
-    element.number(member(law, "belongs_to") == "mass" ? "fitted_mass_kg" : "fitted_speeds_mass_kg", mass);
-  if (const json &rim = member(answer, "rim_identity"); rim.is_string()) element.rim = rim.get<std::string>();
-  if (!element.rim.empty()) element.values["fitted_rim"] = toml_quoted(element.rim);
-  read_foot(member(answer, "rim_foot"), element);
-  read_stack(member(answer, "stack"), element);
-  if (const json &rims = member(answer, "rims_in_series"); rims == 2) element.rims = 2;
+  if (answer.stack) element.stack = terms_of(*answer.stack);
+  element.rims = answer.rims_in_series;
 }
 
 /// [reduced] of calibration.toml, the element's keys alone.
@@ -118,7 +87,7 @@ void read_fragment(const TomlFile &fragment, Element &element) {
     if (const auto *text = node->as_string())
       element.values[key] = toml_quoted(text->get());
     else if (const auto number = node->value<double>())
-      element.number(key, *number);
+      element.number(key, number);
     else
       element.fail(key + " is neither a number nor a word");
   }
@@ -144,14 +113,12 @@ void check(const Element &element) {
 }
 
 Element read_element(const std::string &folder) {
-  const auto in = [&](const char *name) { return (fs::path(folder) / name).string(); };
-  Element element{.origin = in("calibration.json"), .values = {}, .rim = {}, .capacity = {}, .stack = {}};
-  const json whole = json::parse(read_file(element.origin), nullptr, false);
-  if (!whole.is_object()) element.fail("it is no JSON object");
-  if (!member(whole, "answer").is_null()) {
-    read_answer(whole["answer"], element);
+  const StoredCalibration stored = read_calibration(folder);
+  Element element{.origin = stored.file, .values = {}, .rim = {}, .capacity = {}, .stack = {}};
+  if (stored.answer) {
+    take_answer(*stored.answer, element);
   } else {
-    element.origin = in("calibration.toml");
+    element.origin = (fs::path(folder) / "calibration.toml").string();
     const std::string text = read_file(element.origin);
     try {
       read_fragment(TomlFile(text, element.origin), element);
@@ -214,7 +181,7 @@ void take_one_rim(const TomlFile &file, Element &element) {
 const std::vector<std::string> &element_keys() {
   static const std::vector<std::string> keys = [] {
     std::vector<std::string> list{"impact_law", "reference_speed_m_per_s"};
-    for (const auto &[name, parameter] : parameters()) list.emplace_back(parameter.key);
+    for (const auto &[name, key] : number_keys()) list.emplace_back(key);
     for (const char *key : {"fitted_from_m_per_s", "fitted_to_m_per_s", "fitted_mass_kg", "fitted_speeds_mass_kg",
                             "fitted_rim", "foot_joint", "foot_force_kN", "taken_from"})
       list.emplace_back(key);

@@ -11,11 +11,11 @@ scene::Scene with_answer(const scene::Scene &scene, const std::string &folder) {
   return scene::parse_scene(scene::to_toml(scene), scene.name, {"reduced.calibration=" + toml_quoted(absolute)});
 }
 
-scene::Scene with_pair(scene::Scene scene, const nlohmann::json &answer) {
-  const auto &pair = answer.at("pair");
-  scene.reduced.impact_law = &laws::impact_law(pair.at("law"));
-  scene.reduced.k_i = 1e3 * pair.at("k_i_kN_per_m").get<double>();
-  scene.reduced.restitution = pair.at("e");
+scene::Scene with_pair(scene::Scene scene, const calibration::PairRange &pair) {
+  const auto value_of = [&](const char *name) { return pair.result.parameters.at(name).value; };
+  scene.reduced.impact_law = &laws::impact_law(pair.law);
+  scene.reduced.k_i = 1e3 * value_of("k_i");
+  scene.reduced.restitution = value_of("e");
   return scene;
 }
 

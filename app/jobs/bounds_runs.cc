@@ -2,6 +2,7 @@
 #include "app/console/child_process.h"
 #include "io/files/file.h"
 #include "io/files/json_text.h"
+#include "io/files/key_list.h"
 #include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -108,22 +109,14 @@ std::string bounds_text(const std::vector<BoundRun> &runs, const std::vector<Bou
   return text;
 }
 
-nlohmann::json factors_json(const scene::FrictionBounds &b) {
-  nlohmann::json factors{{"standard", word(b.standard)},
-                         {"lambda_spec_max", b.spec_max},
-                         {"lambda_spec_min", b.spec_min},
-                         {"assumed", b.assumed()}};
-  if (b.standard == scene::BoundsStandard::asce)
-    factors.update(nlohmann::json{{"lambda_ae_max", b.ae_max},
-                                  {"lambda_ae_min", b.ae_min},
-                                  {"lambda_test_max", b.test_max},
-                                  {"lambda_test_min", b.test_min}});
-  else
-    factors.update(nlohmann::json{{"lambda_ageing", b.european.ageing.value_or(1)},
-                                  {"lambda_temperature", b.european.temperature.value_or(1)},
-                                  {"lambda_contamination", b.european.contamination.value_or(1)},
-                                  {"lambda_travel", b.european.travel.value_or(1)},
-                                  {"lambda_combination", b.european.combination}});
+/// Every key of [bounds] that counts, by its name there; null: not given.
+nlohmann::json factors_json(scene::FrictionBounds bounds) {
+  nlohmann::json factors{{"standard", word(bounds.standard)}, {"assumed", bounds.assumed()}};
+  KeyList list;
+  visit(list, bounds);
+  for (const KeyEntry &entry : list.entries)
+    if (entry.is_number)
+      factors[entry.key.name] = entry.value == "inf" ? nlohmann::json() : nlohmann::json::parse(entry.value);
   return factors;
 }
 

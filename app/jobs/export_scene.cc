@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using calibration::ExportedRim;
-using nlohmann::json;
+using scene::StoredCalibration;
 
 scene::Scene scene_or_bearing(const std::string &where) {
   scene::Scene scene;
@@ -28,7 +28,8 @@ scene::Scene scene_or_bearing(const std::string &where) {
 }
 
 /// The scene whose dish the bearing has: given, or of a fitted run, or a built-in bearing; of this rim by its identity.
-std::optional<scene::Scene> scene_of(const ExportOptions &options, const json &calibration, const ExportedRim &rim) {
+std::optional<scene::Scene> scene_of(const ExportOptions &options, const StoredCalibration &calibration,
+                                     const ExportedRim &rim) {
   if (!options.scene.empty()) {
     auto scene = scene_or_bearing(options.scene);
     if (scene::rim_identity(scene.bearing) != rim.rim_identity)
@@ -37,11 +38,10 @@ std::optional<scene::Scene> scene_of(const ExportOptions &options, const json &c
     return scene;
   }
   std::vector<std::string> candidates;
-  if (calibration.contains("fit") && calibration["fit"].is_object())
-    for (const auto &[run, check] : calibration["fit"].items())
-      for (const auto &path : {fs::path(run), fs::path(options.folder) / fs::path(run).filename(),
-                               fs::path(options.folder) / ".." / fs::path(run).filename()})
-        candidates.push_back((path / "scene.toml").string()); // also where runs and calibration were moved together
+  for (const auto &run : calibration.fitted_runs)
+    for (const auto &path : {fs::path(run), fs::path(options.folder) / fs::path(run).filename(),
+                             fs::path(options.folder) / ".." / fs::path(run).filename()})
+      candidates.push_back((path / "scene.toml").string()); // also where runs and calibration were moved together
   candidates.push_back((fs::path(options.folder) / "fitted-scene.toml").string());
   candidates.push_back(rim.bearing);
   for (const auto &candidate : candidates) try {
@@ -69,13 +69,13 @@ void warn_of_load(const ExportOptions &options, const scene::Scene &scene, const
 }
 
 /// The bearing carries what the files are for, with the terms of pad and socket that the calibration has.
-void take_answer(scene::Scene &scene, const json &calibration, ExportedRim &rim) {
+void take_answer(scene::Scene &scene, const scene::StoredAnswer &answer, ExportedRim &rim) {
   rim.statement.insert(
       rim.statement.begin() + 1,
       calibration::plain_text(fmt::format("Its dimensions: L_c = {:.4g} mm, {}.", 1e3 * scene.lateral_capacity(),
                                           scene::rim_in_words(scene.bearing))));
   scene.load.vertical = rim.vertical, scene.load.mass = rim.mass, scene.load.gravity = rim.gravity;
-  calibration::take_stack(scene, calibration["answer"]);
+  calibration::take_stack(scene, answer);
   for (const auto &line : calibration::stack_effect(scene, rim)) rim.statement.push_back(calibration::plain_text(line));
   rim.tuned_to = std::max(rim.to, calibration::fastest_touch(scene, rim));
   if (rim.tuned_to > rim.to)
@@ -87,17 +87,16 @@ void take_answer(scene::Scene &scene, const json &calibration, ExportedRim &rim)
 
 } // namespace
 
-std::optional<ExportScene> export_scene(const ExportOptions &options, const json &calibration, ExportedRim &rim,
-                                        Console &console) {
+std::optional<ExportScene> export_scene(const ExportOptions &options, const StoredCalibration &calibration,
+                                        ExportedRim &rim, Console &console) {
   auto scene = scene_of(options, calibration, rim);
   if (!scene) return {};
   warn_of_load(options, *scene, rim, console);
   constexpr double farthest = 0.2; // a fitted place of the rim is within millimetres
   if (const double own = scene->lateral_capacity(); std::abs(rim.lateral_capacity / own - 1) > farthest)
-    throw DataError(fmt::format(
-        "calibration.json: lateral_capacity_m of answer.law.element, {:g}, is not that of the bearing, {:g}",
-        rim.lateral_capacity, own));
-  take_answer(*scene, calibration, rim);
+    throw DataError(fmt::format("{}: answer.law.element.lateral_capacity_m, {:g}, is not that of the bearing, {:g}",
+                                calibration.file, rim.lateral_capacity, own));
+  take_answer(*scene, *calibration.answer, rim);
   auto dish = calibration::dish_of(*scene, rim.lateral_capacity);
   if (!dish.pad_remark.empty() && (options.opensees || options.sap2000 || options.etabs))
     console.warn("vertical stiffness of the bearing:" + dish.pad_remark);

@@ -21,7 +21,7 @@ struct ExportScene {
 };
 /// None: it is not known. Of this rim by its identity; it carries the load of `rim`, with the calibration's terms of
 /// pad and socket. What these do is said in the rim's statement, and the speed its springs are tuned to is set.
-std::optional<ExportScene> export_scene(const ExportOptions &options, const nlohmann::json &calibration,
+std::optional<ExportScene> export_scene(const ExportOptions &options, const scene::StoredCalibration &calibration,
                                         calibration::ExportedRim &rim, Console &console);
 
 } // namespace rimpact::app

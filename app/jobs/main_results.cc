@@ -60,6 +60,8 @@ json machine() {
           {"system", std::string(system.sysname) + " " + system.release}};
 }
 
+using Answered = std::shared_ptr<const calibration::Answer>; ///< null: nothing was fitted
+
 /// Which runs to fit and which to predict; what is left out is said in `warnings`.
 struct Selection {
   std::vector<std::string> fit;
@@ -83,11 +85,12 @@ Selection select(const std::vector<Job> &jobs) {
 }
 
 /// Which reduced runs there are, by the answer: without a calibration none but the published pair's.
-Columns columns_of(const MainTarget &target, const json &answer, const std::string &law) {
+Columns columns_of(const MainTarget &target, const Answered &answer, const std::string &law) {
   Columns columns{.law = law};
-  const json pair = answer.is_object() ? answer.value("pair", json()) : json();
-  if (pair.is_object())
-    columns.pair = fmt::format("{:.3g}, {:.3g}", pair.value("k_i_kN_per_m", 0.0), pair.value("e", 0.0));
+  if (answer && answer->pair) {
+    const auto &pair = answer->pair->result.parameters;
+    columns.pair = fmt::format("{:.3g}, {:.3g}", pair.at("k_i").value, pair.at("e").value);
+  }
   if (scene::published_pair_applies(target.scene))
     columns.published = fmt::format("{:.2g}, {:g}", calibration::published_k_i / 1e3, calibration::published_e);
   return columns;
@@ -102,7 +105,8 @@ scene::Scene with_published(scene::Scene scene) {
 
 /// Reduced runs beside the finite-element ones: DIR/law with the answer's law, DIR/reduced with the pair, else the law,
 /// and DIR/published where that pair belongs to this bearing and mass.
-json reduced_runs(const std::vector<Job> &jobs, const std::string &folder, const json &answer, const Columns &columns) {
+json reduced_runs(const std::vector<Job> &jobs, const std::string &folder, const Answered &answer,
+                  const Columns &columns) {
   json runs = json::array();
   for (const char *earlier : {"/reduced", "/law", "/published"})
     std::filesystem::remove_all(folder + earlier); // of another calibration
@@ -115,7 +119,7 @@ json reduced_runs(const std::vector<Job> &jobs, const std::string &folder, const
       if (!has_dish(job.scene.model.rung)) // the run it stands beside has no pad to bounce on
         law.reduced.normal_force = job.scene.reduced.normal_force;
       run_reduced(law, folder + "/law/" + job.name);
-      run_reduced(columns.pair.empty() ? law : with_pair(job.scene, answer), folder + "/reduced/" + job.name);
+      run_reduced(columns.pair.empty() ? law : with_pair(job.scene, *answer->pair), folder + "/reduced/" + job.name);
     }
     if (job.done && !columns.published.empty())
       run_reduced(with_published(job.scene), folder + "/published/" + job.name);
@@ -167,10 +171,10 @@ MainResults make_results(const MainTarget &target, const std::vector<Job> &all, 
 
   MainResults results;
   std::optional<calibration::Calibration> fitted;
-  json answer;
+  Answered answer;
   try {
     fitted = fit_law(target, all, selection, folder, console);
-    answer = calibration::to_json(*fitted).value("answer", json());
+    answer = fitted->answer;
     console.detail(calibration::describe(*fitted));
     calibration::check_gate(*fitted);
   } catch (const Error &error) { // the runs are still worth a table and a report
@@ -181,10 +185,8 @@ MainResults make_results(const MainTarget &target, const std::vector<Job> &all, 
   const std::string law = fitted ? with_answer(target.scene, folder + "/calibration").reduced.impact_law->name : "";
   const Columns columns = columns_of(target, answer, law);
   const json runs = reduced_runs(jobs, folder, answer, columns), rows = comparison_rows(jobs, folder, columns);
-  results.text = target.head() + (fitted && fitted->answer ? calibration::describe(*fitted->answer) : "") +
-                 comparison_text(rows, columns,
-                                 answer.is_object() ? answer.value("doubts", std::vector<std::string>())
-                                                    : std::vector<std::string>());
+  results.text = target.head() + (answer ? calibration::describe(*answer) : "") +
+                 comparison_text(rows, columns, answer ? answer->doubts : std::vector<std::string>());
   json warnings = context.warnings;
   for (const auto &warning : selection.warnings) warnings.push_back(warning);
   for (const auto &row : rows)
@@ -205,7 +207,7 @@ MainResults make_results(const MainTarget &target, const std::vector<Job> &all, 
                   {"warnings", warnings},
                   {"until", context.until}};
   if (fitted) results.main["parameters"] = calibration::to_json(*fitted)["parameters"];
-  if (answer.is_object()) results.main["answer"] = answer;
+  if (answer) results.main["answer"] = calibration::to_json(*answer);
   write_atomically(json_text(results.main), folder + "/main.json");
   return results;
 }

@@ -35,13 +35,6 @@ std::string calibration_folder(const std::string &folder) {
   return "";
 }
 
-json read_calibration(const std::string &folder) {
-  const std::string path = (fs::path(folder) / "calibration.json").string();
-  auto json = nlohmann::json::parse(read_file(path), nullptr, false);
-  if (json.is_discarded()) throw DataError(path + ": not valid JSON");
-  return json;
-}
-
 /// A mass and a load that do not go together, or with the calibration: a slip of the unit.
 void warn_of_units(const ExportOptions &options, const ExportedRim &rim, Console &console) {
   constexpr double alike = 20; // a slip of the unit is of hundreds
@@ -115,6 +108,13 @@ void add_dxf(Exported &out) {
   out.files.emplace_back("section.dxf", calibration::section_dxf(out.bearing->scene.bearing, out.head));
 }
 
+void add_files(Exported &out) {
+  if (out.options.opensees) add_opensees(out);
+  if (out.options.sap2000 || out.options.etabs) add_csi(out);
+  if (out.options.csv) out.files.emplace_back("law.csv", calibration::law_csv(out.rim, out.head));
+  if (out.options.dxf) add_dxf(out);
+}
+
 void write(const Exported &out, json table) {
   const auto &[options, console] = std::tie(out.options, out.console);
   std::error_code failure;
@@ -139,16 +139,15 @@ void write(const Exported &out, json table) {
 }
 
 /// The twins' law beside the answer's, which says of which steel each is.
-std::string twin_folder(const json &calibration) {
-  const json band = calibration.value("answer", json::object()).value("steel_band", json());
-  return band.is_object() && band.value("calibration", json()).is_string() ? band["calibration"].get<std::string>()
-                                                                           : "";
+std::string twin_folder(const scene::StoredAnswer &answer) {
+  return answer.steel_band ? answer.steel_band->calibration : "";
 }
 
 /// The spring of the other steel into a folder beside the answer's files.
 void export_twin(ExportOptions options, const std::string &twin, Console &console);
 
-void export_to(const ExportOptions &options, const json &calibration, Console &console) {
+void export_to(const ExportOptions &options, Console &console) {
+  const auto calibration = scene::read_calibration(options.folder);
   const auto vertical = options.load ? std::optional(1e3 * *options.load) : std::nullopt;
   ExportedRim rim =
       calibration::exported_rim(calibration, {.law = options.law, .mass = options.mass, .vertical = vertical});
@@ -161,10 +160,11 @@ void export_to(const ExportOptions &options, const json &calibration, Console &c
     console.warn(head.back());
   }
   Exported out{.options = options, .rim = rim, .bearing = bearing, .head = head, .console = console};
-  if (options.opensees) add_opensees(out);
-  if (options.sap2000 || options.etabs) add_csi(out);
-  if (options.csv) out.files.emplace_back("law.csv", calibration::law_csv(rim, head));
-  if (options.dxf) add_dxf(out);
+  try {
+    add_files(out);
+  } catch (const DataError &error) {
+    throw DataError(calibration.file + ": " + error.what());
+  }
   const bool whole = bearing && std::all_of(out.checks.begin(), out.checks.end(),
                                             [](const auto &check) { return check.pulses && check.pulses->written; });
   const json table = {{"law", rim.law().name},
@@ -173,7 +173,7 @@ void export_to(const ExportOptions &options, const json &calibration, Console &c
                       {"to_m_s", rim.to},
                       {"whole_bearing", whole}};
   write(out, table);
-  if (const std::string twin = twin_folder(calibration); !twin.empty() && options.law.empty())
+  if (const std::string twin = twin_folder(*calibration.answer); !twin.empty() && options.law.empty())
     export_twin(options, twin, console);
 }
 
@@ -184,7 +184,7 @@ void export_twin(ExportOptions options, const std::string &twin, Console &consol
       fmt::format("two springs: {} is of the {} steel; take the static one for the travel, the fast one for "
                   "the force",
                   options.out, twin));
-  export_to(options, read_calibration(options.folder), console);
+  export_to(options, console);
 }
 
 void run_export(ExportOptions options, Console &console) {
@@ -202,11 +202,7 @@ void run_export(ExportOptions options, Console &console) {
     throw DataError(options.folder + ": no calibration.json in it; run `rimpact calibrate` first");
   options.folder = calibration;
   if (options.out.empty()) options.out = options.folder;
-  try {
-    export_to(options, read_calibration(options.folder), console);
-  } catch (const DataError &error) {
-    throw DataError(options.folder + ": " + error.what());
-  }
+  export_to(options, console);
 }
 
 void add_export(CLI::App &verb, Console &console) {

@@ -13,36 +13,31 @@ json text_or_null(const std::string &text) {
   return text.empty() ? json(nullptr) : json(text);
 }
 
-/// One value as itself, several as a list, none as null.
-template <class T> json one_or_list(const std::vector<T> &values) {
-  return values.empty() ? json(nullptr) : values.size() == 1 ? json(values.front()) : json(values);
-}
-
-json law_json(const AnswerLaw &law, const scene::Scene &scene) {
-  json worst = nullptr;
+scene::StoredLaw stored_law(const AnswerLaw &law, const scene::Scene &scene) {
+  std::optional<scene::StoredWorst> worst;
   if (law.worst_left_out)
-    worst = {{"peak_force", number(law.worst_left_out->peak_force)},
-             {"penetration", number(law.worst_left_out->depth)},
-             {"rebound", number(law.worst_left_out->rebound)},
-             {"inside_valid_range", law.worst_left_out->inside_valid_range}};
-  return {{"name", law.result.law},
-          {"chosen_by", word(law.chosen_by)},
-          {"remark", text_or_null(law.remark)},
-          {"held", text_or_null(law.held)},
-          {"gain", gain_json(law.result.gain)},
-          {"belongs_to", law.of_the_mass ? "mass" : "rim"},
-          {"parameters", parameters_json(law.result)},
-          {"element", element_json(scene)},
-          {"fitted_from_m_s", number(law.fitted_from)},
-          {"fitted_to_m_s", number(law.fitted_to)},
-          {"valid_from_m_s", number(law.valid_from)},
-          {"valid_to_m_s", number(law.valid_to)},
-          {"tolerance", law.tolerance},
-          {"worst_left_out", worst},
-          {"force_unexplained", number(law.unexplained)},
-          {"n_runs", law.n_runs},
-          {"converged", law.result.converged},
-          {"sentence", law.sentence}};
+    worst = {.peak_force = law.worst_left_out->peak_force,
+             .penetration = law.worst_left_out->depth,
+             .rebound = law.worst_left_out->rebound,
+             .inside_valid_range = law.worst_left_out->inside_valid_range};
+  return {.name = law.result.law,
+          .chosen_by = word(law.chosen_by),
+          .remark = law.remark,
+          .held = law.held,
+          .sentence = law.sentence,
+          .gain = stored_gain(law.result.gain),
+          .belongs_to = law.of_the_mass ? scene::BelongsTo::mass : scene::BelongsTo::rim,
+          .parameters = stored_parameters(law.result),
+          .element = stored_element(scene),
+          .fitted_from = law.fitted_from,
+          .fitted_to = law.fitted_to,
+          .valid_from = law.valid_from,
+          .valid_to = law.valid_to,
+          .tolerance = law.tolerance,
+          .worst_left_out = worst,
+          .force_unexplained = law.unexplained,
+          .n_runs = law.n_runs,
+          .converged = law.result.converged};
 }
 
 json row_json(const AnswerRow &row) {
@@ -59,33 +54,31 @@ json row_json(const AnswerRow &row) {
           {"inside_fit", true}};
 }
 
-json pair_json(const PairRange &pair) {
+scene::StoredPair stored_pair(const PairRange &pair) {
   const double k = pair.result.parameters.at("k_i").value, e = pair.result.parameters.at("e").value;
   scene::Scene scene;
   scene.reduced.k_i = 1e3 * k, scene.reduced.restitution = e, scene.load.mass = pair.mass;
-  return {{"law", pair.law},
-          {"k_i_kN_per_m", number(k)},
-          {"e", number(e)},
-          {"c_i_kN_s_per_m", number(damping_coefficient(scene) / 1e3)},
-          {"mass_kg", pair.mass},
-          {"from_m_s", pair.from},
-          {"to_m_s", pair.to},
-          {"tolerance", pair.tolerance},
-          {"worst_peak_force_error", number(pair.worst_peak_force)},
-          {"worst_rebound_error", number(pair.worst_rebound)},
-          {"parameters", parameters_json(pair.result)},
-          {"sentence", pair.sentence}};
+  return {.law = pair.law,
+          .k_i = k,
+          .e = e,
+          .c_i = damping_coefficient(scene) / 1e3,
+          .mass = pair.mass,
+          .from = pair.from,
+          .to = pair.to,
+          .tolerance = pair.tolerance,
+          .worst_peak_force = pair.worst_peak_force,
+          .worst_rebound = pair.worst_rebound,
+          .parameters = stored_parameters(pair.result),
+          .sentence = pair.sentence};
 }
 
-/// Of pad and socket, by key of [reduced]: scene/stack_terms.h.
-json stack_json(const AnswerStack &stack) {
-  const auto normal = stack.on_pads_spring ? scene::NormalForce::pad : scene::NormalForce::inertia;
-  return {{"finite_pad", true},
-          {"socket_friction", true},
-          {"normal_force", word(normal)},
-          {"friction", word(scene::Friction::park_wen)},
-          {"elastic_slip_mm", 1e3 * stack.elastic_slip},
-          {"elastic_slip_from", word(stack.slip_from)}};
+scene::StoredStack stored_stack(const AnswerStack &stack) {
+  return {.finite_pad = true,
+          .socket_friction = true,
+          .normal_force = stack.on_pads_spring ? scene::NormalForce::pad : scene::NormalForce::inertia,
+          .friction = scene::Friction::park_wen,
+          .elastic_slip = stack.elastic_slip,
+          .slip_from = stack.slip_from};
 }
 
 /// Of an impact in the band: static or fast.
@@ -103,14 +96,12 @@ json band_json(const SteelBand &band) {
   return {{"rate", in_words(band.rate)},
           {"rate_is_assumption", band.assumed},
           {"law_is_of", band.runs_are_static ? "static" : "fast"},
-          {"rows", rows},
-          {"calibration", text_or_null(band.calibration)},
-          {"sentences", sentences(band)}};
+          {"rows", rows}};
 }
 
 /// Of the solids that the law is fitted to.
-json steel_rate_json(const Answer &a) {
-  if (a.sources.count(RunSource::finite_elements) == 0) return nullptr;
+std::string steel_rate(const Answer &a) {
+  if (a.sources.count(RunSource::finite_elements) == 0) return {};
   const scene::Material &steel = a.scene.bearing.rim_steel();
   return steel.knows_rate() ? in_words(steel.rate) : word(scene::RateModel::none);
 }
@@ -165,22 +156,25 @@ json places_json(const std::vector<PlaceStrain> &places) {
   return list;
 }
 
-json strain_json(const AnswerStrain &s) {
-  json rows = json::array();
+scene::StoredStrain stored_strain(const AnswerStrain &s) {
+  scene::StoredStrain stored{.rows = {}, .sentence = s.sentence};
   for (const auto &row : s.rows)
-    rows.push_back({{"speed_m_s", row.speed},
-                    {"penetration_mm", 1e3 * row.depth},
-                    {"strain", row.strain.largest},
-                    {"place", place_or_null(row.strain.place)}});
+    stored.rows.push_back({.speed = row.speed,
+                           .depth = row.depth,
+                           .strain = row.strain.largest,
+                           .place = row.strain.place ? word(*row.strain.place) : ""});
+  return stored;
+}
+
+/// What stands beside it.
+json strain_json(const AnswerStrain &s) {
   return {{"limit", s.limit},
           {"limit_is_assumption", s.limit_is_assumption},
-          {"rows", rows},
           {"largest", s.largest.largest},
           {"place", place_or_null(s.largest.place)},
           {"exceeded", s.exceeded()},
           {"largest_speed_below_limit_m_s", number(s.largest_speed_below_limit)},
           {"places", places_json(s.places)},
-          {"sentence", s.sentence},
           {"crack_sentence", text_or_null(s.crack_sentence)},
           {"slider_sentence", text_or_null(s.slider_sentence)}};
 }
@@ -197,56 +191,71 @@ json foot_rows_json(const FootOfRuns &runs) {
   return rows;
 }
 
+scene::StoredFoot stored_foot(const AnswerFoot &foot) {
+  return {.connection = word(foot.connection.kind),
+          .in_words = in_words(foot.connection),
+          .joint = strength_in_words(foot.connection),
+          .goes_at_force = foot.goes_at_force,
+          .goes_at = foot.goes_at(),
+          .borne_to = foot.borne_to(),
+          .sentence = foot.sentence,
+          .doubt = foot.doubt};
+}
+
+/// What stands beside it.
 json foot_json(const AnswerFoot &foot) {
-  return {{"connection", word(foot.connection.kind)},
-          {"in_words", in_words(foot.connection)},
-          {"joint", strength_in_words(foot.connection)},
-          {"goes_at_force_kN", foot.goes_at_force ? json(*foot.goes_at_force / 1e3) : json(nullptr)},
-          {"goes_at_m_s", number(foot.goes_at())},
-          {"borne_to_m_s", number(foot.borne_to())},
-          {"rows", foot_rows_json(foot.runs)},
+  return {{"rows", foot_rows_json(foot.runs)},
           {"gone", passing_json(foot.runs.gone)},
           {"twins", foot_rows_json(foot.twins)},
-          {"twins_gone", passing_json(foot.twins.gone)},
-          {"sentence", foot.sentence},
-          {"doubt", text_or_null(foot.doubt)}};
+          {"twins_gone", passing_json(foot.twins.gone)}};
+}
+
+std::vector<scene::StoredAssumption> stored_assumptions(const scene::Bearing &bearing) {
+  std::vector<scene::StoredAssumption> list;
+  for (const auto &assumption : scene::assumptions(bearing)) list.push_back({assumption.key, assumption.value});
+  return list;
 }
 
 } // namespace
 
+scene::StoredAnswer stored(const Answer &a) {
+  scene::StoredAnswer kept{.bearing = a.scene.bearing.name,
+                           .rim_identity = a.rim_identity,
+                           .source = a.source(),
+                           .rungs = a.rungs,
+                           .meshes = a.meshes,
+                           .mass = a.scene.load.mass,
+                           .vertical = a.scene.load.vertical,
+                           .gravity = a.scene.load.gravity,
+                           .law = stored_law(a.law, a.scene),
+                           .rims_in_series = a.scene.bearing.dishes(),
+                           .no_pair = a.no_pair,
+                           .mesh_error = {a.mesh_error.peak_force, a.mesh_error.sentence},
+                           .steel_rate = steel_rate(a),
+                           .error_sentences = sentences(a.errors),
+                           .finding_sentences = finding_sentences(a.errors),
+                           .doubts = a.doubts,
+                           .assumptions = stored_assumptions(a.scene.bearing),
+                           .validity = a.validity};
+  if (a.pair) kept.pair = stored_pair(*a.pair);
+  if (a.strain) kept.strain = stored_strain(*a.strain);
+  if (a.foot) kept.foot = stored_foot(*a.foot);
+  if (a.stack) kept.stack = stored_stack(*a.stack);
+  if (a.steel_band) kept.steel_band = {a.steel_band->calibration, sentences(*a.steel_band)};
+  return kept;
+}
+
 json to_json(const Answer &a) {
-  json table = json::array(), assumed = json::array();
+  json table = json::array(), all = scene::to_json(stored(a));
   for (const auto &row : a.table) table.push_back(row_json(row));
-  for (const auto &assumption : scene::assumptions(a.scene.bearing))
-    assumed.push_back({{"key", assumption.key}, {"value", assumption.value}});
-  return {{"bearing", a.scene.bearing.name},
-          {"rim_identity", a.rim_identity},
-          {"rung", one_or_list(a.rungs)},
-          {"mesh", one_or_list(a.meshes)},
-          {"mass_kg", a.scene.load.mass},
-          {"vertical_kN", a.scene.load.vertical / 1e3},
-          {"gravity_m_per_s2", a.scene.load.gravity},
-          {"source", a.source()},
-          {"law", law_json(a.law, a.scene)},
-          {"table", table},
-          {"rims_in_series", a.scene.bearing.dishes()},
-          {"pair_law", a.pair_law},
-          {"pair", a.pair ? pair_json(*a.pair) : json(nullptr)},
-          {"no_pair", text_or_null(a.no_pair)},
-          {"published_applies", a.published_applies},
-          {"strain", a.strain ? strain_json(*a.strain) : json(nullptr)},
-          {"rim_foot", a.foot ? foot_json(*a.foot) : json(nullptr)},
-          {"mesh_error",
-           {{"peak_force", number(a.mesh_error.peak_force)}, {"sentence", text_or_null(a.mesh_error.sentence)}}},
-          {"stack", a.stack ? stack_json(*a.stack) : json(nullptr)},
-          {"steel_rate", steel_rate_json(a)},
-          {"steel_band", a.steel_band ? band_json(*a.steel_band) : json(nullptr)},
-          {"errors", errors_json(a.errors)},
-          {"error_sentences", sentences(a.errors)},
-          {"finding_sentences", finding_sentences(a.errors)},
-          {"assumptions", assumed},
-          {"doubts", a.doubts},
-          {"validity", a.validity}};
+  all.update({{"table", table},
+              {"pair_law", a.pair_law},
+              {"published_applies", a.published_applies},
+              {"errors", errors_json(a.errors)}});
+  if (a.strain) all["strain"].update(strain_json(*a.strain));
+  if (a.foot) all["rim_foot"].update(foot_json(*a.foot));
+  if (a.steel_band) all["steel_band"].update(band_json(*a.steel_band));
+  return all;
 }
 
 } // namespace rimpact::calibration

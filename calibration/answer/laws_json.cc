@@ -13,39 +13,46 @@ json number(const std::optional<double> &value) {
   return value ? number(*value) : json(nullptr);
 }
 
-json element_json(const scene::Scene &scene) {
-  json element = {{"lateral_capacity_m", scene.bearing.lateral_capacity() + scene.reduced.capacity_offset}};
+scene::StoredElement stored_element(const scene::Scene &scene) {
+  scene::StoredElement element{.lateral_capacity = scene.bearing.lateral_capacity() + scene.reduced.capacity_offset};
   const laws::ImpactLaw &law = *scene.reduced.impact_law;
   for (const auto *names : {&law.parameters, &law.exponents})
     for (const auto &name : *names) {
       const auto &p = parameter(name);
-      element[name] = {{"value", p.get(scene) / p.si}, {"unit", p.unit}};
+      element.numbers[name] = p.get(scene) / p.si;
     }
-  if (element.contains("exponent") || element.contains("yield_force"))
-    element["reference_speed_m_per_s"] = scene.reduced.reference_speed;
+  if (element.numbers.contains("exponent") || element.numbers.contains("yield_force"))
+    element.reference_speed = scene.reduced.reference_speed;
   return element;
 }
 
-json parameters_json(const FitResult &result) {
-  json all = json::object();
+scene::StoredParameters stored_parameters(const FitResult &result) {
+  scene::StoredParameters all;
   for (const auto &[name, e] : result.parameters)
-    all[name] = {{"value", number(e.value)},
-                 {"unit", parameter(name).unit},
-                 {"standard_error", number(e.standard_error)},
-                 {"interval_95", {number(e.interval_low), number(e.interval_high)}},
-                 {"identifiable", e.identifiable},
-                 {"verdict", word(e.verdict)},
-                 {"stated_error", number(e.stated_error)},
-                 {"at_bound", e.at_bound},
-                 {"reason", e.reason.empty() ? json(nullptr) : json(e.reason)}};
+    all[name] = {.value = e.value,
+                 .unit = parameter(name).unit,
+                 .standard_error = e.standard_error,
+                 .stated_error = e.stated_error,
+                 .interval_95 = {e.interval_low, e.interval_high},
+                 .identifiable = e.identifiable,
+                 .at_bound = e.at_bound,
+                 .verdict = word(e.verdict),
+                 .reason = e.reason};
   return all;
 }
 
-json gain_json(const std::optional<ChannelGain> &gain) {
-  if (!gain) return nullptr;
-  return {{"factor", number(gain->factor)},
-          {"standard_error", number(gain->standard_error)},
-          {"stated_error", number(gain->stated)}};
+std::optional<scene::StoredGain> stored_gain(const std::optional<ChannelGain> &gain) {
+  if (!gain) return {};
+  return scene::StoredGain{
+      .factor = gain->factor, .standard_error = gain->standard_error, .stated_error = gain->stated};
+}
+
+json parameters_json(const FitResult &result) {
+  return scene::to_json(stored_parameters(result));
+}
+
+json element_json(const scene::Scene &scene) {
+  return scene::to_json(stored_element(scene));
 }
 
 namespace {
@@ -71,21 +78,23 @@ json laws_json(const LawRanking &ranking) {
     json left_out = json::array();
     for (const auto &left : row.left_out)
       left_out.push_back({{"left_out", left.what}, {"converged", left.converged}, {"runs", errors_json(left.errors)}});
-    rows.push_back({{"law", row.result.law},
-                    {"parameters", parameters_json(row.result)},
-                    {"converged", row.result.converged},
-                    {"force_unexplained", number(row.unexplained)},
-                    {"largest_peak_force_error", number(row.largest_peak_error)},
-                    {"largest_rebound_error", number(row.largest_rebound_error)},
-                    {"left_out_peak_force_error", number(row.left_out_peak_error)},
-                    {"left_out_rebound_error", number(row.left_out_rebound_error)},
-                    {"valid_from_m_s", number(row.valid_from)},
-                    {"valid_to_m_s", number(row.valid_to)},
-                    {"sentence", row.sentence},
-                    {"held", row.held.empty() ? json(nullptr) : json(row.held)},
-                    {"gain", gain_json(row.result.gain)},
-                    {"runs", errors_json(row.fitted)},
-                    {"leave_one_out", left_out}});
+    json said = scene::to_json(scene::StoredRankedLaw{.law = row.result.law,
+                                                      .parameters = stored_parameters(row.result),
+                                                      .valid_from = row.valid_from,
+                                                      .valid_to = row.valid_to,
+                                                      .left_out_peak_force = row.left_out_peak_error,
+                                                      .left_out_rebound = row.left_out_rebound_error,
+                                                      .sentence = row.sentence});
+    const auto gain = stored_gain(row.result.gain);
+    said.update({{"converged", row.result.converged},
+                 {"force_unexplained", number(row.unexplained)},
+                 {"largest_peak_force_error", number(row.largest_peak_error)},
+                 {"largest_rebound_error", number(row.largest_rebound_error)},
+                 {"held", row.held.empty() ? json(nullptr) : json(row.held)},
+                 {"gain", gain ? scene::to_json(*gain) : json(nullptr)},
+                 {"runs", errors_json(row.fitted)},
+                 {"leave_one_out", left_out}});
+    rows.push_back(said);
   }
   return {{"tolerance", ranking.tolerance}, {"sentence", ranking.sentence}, {"rows", rows}};
 }

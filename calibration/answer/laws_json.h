@@ -1,6 +1,7 @@
 /// Parts of calibration.json on parameters, laws and profiles.
 #pragma once
 #include "calibration/answer/calibration.h"
+#include "scene/stored_calibration.h"
 
 namespace rimpact::calibration {
 
@@ -9,9 +10,11 @@ nlohmann::json number(double value);
 nlohmann::json number(const std::optional<double> &value);
 
 /// Every parameter the scene's law reads, fitted or not, and where the rim begins.
+scene::StoredElement stored_element(const scene::Scene &scene);
 nlohmann::json element_json(const scene::Scene &scene);
+scene::StoredParameters stored_parameters(const FitResult &result);
 nlohmann::json parameters_json(const FitResult &result);
-nlohmann::json gain_json(const std::optional<ChannelGain> &gain);
+std::optional<scene::StoredGain> stored_gain(const std::optional<ChannelGain> &gain);
 nlohmann::json laws_json(const LawRanking &ranking);
 nlohmann::json pair_range_json(const PairRange &range);
 nlohmann::json speed_laws_json(const std::vector<SpeedLaw> &laws);

@@ -1,19 +1,21 @@
 #include "calibration/answer/passing.h"
 
+#include "responses/crossing.h"
 #include <algorithm>
 #include <fmt/format.h>
 
 namespace rimpact::calibration {
 
 Passing passing(const BySpeed &values, double limit) {
-  const auto beyond = std::find_if(values.begin(), values.end(), [&](const auto &at) { return at.second > limit; });
+  std::vector<double> speeds, reached;
+  for (const auto &[speed, value] : values) speeds.push_back(speed), reached.push_back(value);
+  const auto passed = first_crossing(reached, limit);
   Passing result;
-  if (beyond != values.begin()) result.below = beyond[-1].first;
-  if (beyond == values.end()) return result;
-  result.beyond = beyond->first;
-  if (beyond == values.begin()) return result;
-  const double share = (limit - beyond[-1].second) / (beyond->second - beyond[-1].second);
-  result.expected = beyond[-1].first + share * (beyond->first - beyond[-1].first);
+  const std::size_t right = passed ? passed->right : values.size();
+  if (right > 0) result.below = speeds[right - 1];
+  if (!passed) return result;
+  result.beyond = speeds[right];
+  if (right > 0) result.expected = passed->of(speeds);
   return result;
 }
 

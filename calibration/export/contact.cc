@@ -29,7 +29,7 @@ Bounce fly(RimContact &contact, double mass, double speed, double stiffness) {
       return impact;
     }
   }
-  throw DataError("calibration.json: a mass that meets this law's rim does not come back");
+  throw DataError("a mass that meets this law's rim does not come back");
 }
 
 std::vector<double> speeds_between(double from, double to, int n) {

@@ -83,16 +83,15 @@ scene::Scene model_of(const scene::Scene &scene, const ExportedRim &rim) {
   return model;
 }
 
-void take_stack(scene::Scene &scene, const nlohmann::json &answer) {
-  const auto stack = answer.find("stack");
-  if (stack == answer.end() || !stack->is_object()) return;
+void take_stack(scene::Scene &scene, const scene::StoredAnswer &answer) {
+  if (!answer.stack) return;
+  const scene::StoredStack &stack = *answer.stack;
   scene::ReducedSettings &r = scene.reduced;
-  r.finite_pad = stack->value("finite_pad", false), r.socket_friction = stack->value("socket_friction", false);
-  r.normal_force = parse<scene::NormalForce>(stack->value("normal_force", "")).value_or(scene::NormalForce::inertia);
-  r.friction = parse<scene::Friction>(stack->value("friction", "")).value_or(r.friction);
-  r.elastic_slip = stack->value("elastic_slip_mm", 1e3 * r.elastic_slip) / 1e3;
-  const auto from = parse<scene::SlipFrom>(stack->value("elastic_slip_from", ""));
-  if (from.value_or(scene::SlipFrom::bearing) == scene::SlipFrom::bearing) scene::resolve_elastic_slip(scene);
+  r.finite_pad = stack.finite_pad.value_or(false), r.socket_friction = stack.socket_friction.value_or(false);
+  r.normal_force = stack.normal_force.value_or(scene::NormalForce::inertia);
+  r.friction = stack.friction.value_or(r.friction);
+  r.elastic_slip = stack.elastic_slip.value_or(r.elastic_slip);
+  if (stack.slip_from == scene::SlipFrom::bearing) scene::resolve_elastic_slip(scene);
   scene::leave_out_what_does_not_fit(scene);
 }
 

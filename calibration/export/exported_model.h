@@ -29,7 +29,7 @@ std::string words_of(const Arrival &arrival);
 
 /// Terms of pad and socket of a calibration's answer, into a scene whose load is set; those that the bearing's pad and
 /// foot do not fit are left out, with a remark of the scene.
-void take_stack(scene::Scene &scene, const nlohmann::json &answer);
+void take_stack(scene::Scene &scene, const scene::StoredAnswer &answer);
 /// What these terms do: the model with and without them, under a pulse that brings it to the rim. Empty: it has none.
 std::vector<std::string> stack_effect(const scene::Scene &scene, const ExportedRim &rim);
 

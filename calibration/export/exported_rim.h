@@ -1,10 +1,9 @@
-/// What calibration.json's `answer` says of the rim's law, read for other programs: numbers checked, SI, and the
-/// sentences that go with them. A number that is not a number, or out of its range, is refused (DataError) with its
-/// key.
+/// What a calibration's answer says of the rim's law, for other programs: its numbers, checked and in SI, and the
+/// sentences that go with them. A number that is missing or out of its range is refused (DataError) with file and key.
 #pragma once
 #include "laws/impact/catalogue.h"
 #include "scene/scene.h"
-#include <nlohmann/json.hpp>
+#include "scene/stored_calibration.h"
 #include <optional>
 
 namespace rimpact::calibration {
@@ -36,12 +35,9 @@ struct ExportedRim {
   laws::RimElement element() const { return settings.element(mass); }
 };
 
-/// Throws DataError where calibration.json has no answer or a bad number. Throws InputError where `choice` asks for a
+/// Throws DataError where the calibration has no answer or a bad number. Throws InputError where `choice` asks for a
 /// law that was not ranked, a pair that was not found, or a law of one mass at another (more than 1 % off). Throws
 /// InputError for a law whose speeds all break the rim's foot.
-ExportedRim exported_rim(const nlohmann::json &calibration, const ExportChoice &choice);
-
-/// The value at `key` of `object`, or at its "value"; `where` names the object in messages.
-double number_at(const nlohmann::json &object, const char *key, const char *where);
+ExportedRim exported_rim(const scene::StoredCalibration &calibration, const ExportChoice &choice);
 
 } // namespace rimpact::calibration

@@ -9,44 +9,22 @@
 
 namespace rimpact::calibration {
 
-using nlohmann::json;
+using scene::StoredAnswer;
+using scene::StoredLaw;
 
 namespace {
-
-std::string text(const json &object, const char *key) {
-  if (!object.is_object() || !object.contains(key)) return {};
-  const json &value = object[key];
-  if (value.is_string()) return value.get<std::string>();
-  if (value.is_number_integer()) return std::to_string(value.get<long long>());
-  if (!value.is_array()) return {};
-  std::vector<std::string> parts;
-  for (const auto &part : value)
-    parts.push_back(part.is_string()   ? part.get<std::string>()
-                    : part.is_number() ? fmt::format("{:g}", part.get<double>())
-                                       : "?");
-  return fmt::format("{}", fmt::join(parts, ", "));
-}
-
-std::optional<double> number(const json &object, const char *key) {
-  if (!object.is_object() || !object.contains(key) || !object[key].is_number() ||
-      !std::isfinite(object[key].get<double>()))
-    return std::nullopt;
-  return object[key].get<double>();
-}
 
 std::string percent(const std::optional<double> &value) {
   return value ? fmt::format("{:.1f} %", 100 * *value) : "an unknown amount";
 }
 
-std::string parameter_line(const std::string &name, const json &fitted) {
-  const std::string unit = text(fitted, "unit");
-  std::string line = fmt::format("Fitted: {} = {:.4g}{}", name, number_at(fitted, "value", plain_text(name).c_str()),
-                                 unit_behind(unit));
-  const json interval = fitted.value("interval_95", json());
-  if (interval.is_array() && interval.size() == 2 && interval[0].is_number() && interval[1].is_number())
-    line += fmt::format(", 95 % interval {:.4g} to {:.4g}", interval[0].get<double>(), interval[1].get<double>());
-  const json known = fitted.value("identifiable", json(true));
-  return line + (known.is_boolean() && !known.get<bool>() ? "; not identifiable from these runs." : ".");
+std::string parameter_line(const std::string &name, const scene::StoredParameter &fitted) {
+  std::string line =
+      fmt::format("Fitted: {} = {}{}", name, fitted.value ? fmt::format("{:.4g}", *fitted.value) : "no finite number,",
+                  unit_behind(fitted.unit));
+  if (const auto &[low, high] = fitted.interval_95; low && high)
+    line += fmt::format(", 95 % interval {:.4g} to {:.4g}", *low, *high);
+  return line + (fitted.identifiable ? "." : "; not identifiable from these runs.");
 }
 
 /// Whether speeds of the calibration are not those of the exported mass.
@@ -54,14 +32,13 @@ bool is_other_mass(const ExportedRim &rim) {
   return rim.element().law->yields && std::abs(rim.mass / rim.fitted_mass - 1) > 0.01;
 }
 
-void add_range(std::vector<std::string> &lines, const ExportedRim &rim, const json &law) {
-  const auto from = number(law, "valid_from_m_s"), to = number(law, "valid_to_m_s");
-  const auto fitted_from = number(law, "fitted_from_m_s"), fitted_to = number(law, "fitted_to_m_s");
-  if (fitted_from && fitted_to)
-    lines.push_back(fmt::format("Fitted to impacts at {:g} to {:g} m/s.", *fitted_from, *fitted_to));
+void add_range(std::vector<std::string> &lines, const ExportedRim &rim, const StoredLaw &law) {
+  const auto from = law.valid_from, to = law.valid_to;
+  if (law.fitted_from && law.fitted_to)
+    lines.push_back(fmt::format("Fitted to impacts at {:g} to {:g} m/s.", *law.fitted_from, *law.fitted_to));
   if (from && to)
     lines.push_back(fmt::format("Holds from {:g} to {:g} m/s: there runs left out of the fit are met within {}.", *from,
-                                *to, percent(number(law, "tolerance"))));
+                                *to, percent(law.tolerance)));
   else
     lines.push_back("DOUBT: no range of speeds is known in which runs left out of the fit are met; the speeds fitted "
                     "stand below instead.");
@@ -71,90 +48,70 @@ void add_range(std::vector<std::string> &lines, const ExportedRim &rim, const js
     lines.push_back(fmt::format(
         "Exported for {:.6g} kg: the speeds above are of {:.6g} kg, as severe here are {:.3g} to {:.3g} m/s.", rim.mass,
         rim.fitted_mass, rim.from, rim.to));
-  const json worst = law.value("worst_left_out", json());
-  if (!worst.is_object()) {
+  if (!law.worst_left_out) {
     lines.push_back("Errors on runs left out: not known, none was left out.");
     return;
   }
-  const json inside = worst.value("inside_valid_range", json());
   lines.push_back(fmt::format("Largest errors on runs left out{}: peak force {}, rebound {}.",
-                              inside == json(true) ? " in that range" : ", all of them",
-                              percent(number(worst, "peak_force")), percent(number(worst, "rebound"))));
+                              law.worst_left_out->inside_valid_range ? " in that range" : ", all of them",
+                              percent(law.worst_left_out->peak_force), percent(law.worst_left_out->rebound)));
 }
 
 /// How far the numbers may be from the bearing's, as the answer sums it.
-void add_errors(std::vector<std::string> &lines, const json &answer) {
-  const json sentences = answer.value("error_sentences", json());
-  const std::size_t before = lines.size();
-  if (sentences.is_array())
-    for (const auto &sentence : sentences)
-      if (sentence.is_string()) lines.push_back("Error of the answer: " + sentence.get<std::string>());
-  for (const auto &sentence : answer.value("finding_sentences", json::array()))
-    if (sentence.is_string()) lines.push_back(sentence.get<std::string>());
-  if (lines.size() == before)
+void add_errors(std::vector<std::string> &lines, const StoredAnswer &answer) {
+  for (const auto &sentence : answer.error_sentences) lines.push_back("Error of the answer: " + sentence);
+  lines.insert(lines.end(), answer.finding_sentences.begin(), answer.finding_sentences.end());
+  if (answer.error_sentences.empty() && answer.finding_sentences.empty())
     lines.push_back(
         "DOUBT: how far these numbers may be from the bearing's is not known; the calibration holds no errors.");
 }
 
 /// Of which steel the law is, and what the other would do.
-void add_steel(std::vector<std::string> &lines, const json &answer) {
-  const json rate = answer.value("steel_rate", json()), band = answer.value("steel_band", json());
-  if (!rate.is_string()) return; // measured, or of an earlier version
-  lines.push_back(parse<scene::RateModel>(rate.get<std::string>()) == scene::RateModel::none
+void add_steel(std::vector<std::string> &lines, const StoredAnswer &answer) {
+  if (answer.steel_rate.empty()) return; // measured, or of an earlier version
+  lines.push_back(parse<scene::RateModel>(answer.steel_rate) == scene::RateModel::none
                       ? "Steel: static, without its strain rate."
-                      : "Steel: at speed, " + rate.get<std::string>() + ".");
-  if (band.is_object())
-    for (const auto &sentence : band.value("sentences", json::array()))
-      if (sentence.is_string()) lines.push_back(sentence.get<std::string>());
+                      : "Steel: at speed, " + answer.steel_rate + ".");
+  if (answer.steel_band)
+    lines.insert(lines.end(), answer.steel_band->sentences.begin(), answer.steel_band->sentences.end());
 }
 
-void add_doubts(std::vector<std::string> &lines, const ExportedRim &rim, const json &answer) {
-  const json mesh = answer.value("mesh_error", json()), strain = answer.value("strain", json()),
-             assumed = answer.value("assumptions", json());
-  if (const auto sentence = text(mesh, "sentence"); !sentence.empty()) lines.push_back("Mesh: " + sentence);
+void add_doubts(std::vector<std::string> &lines, const ExportedRim &rim, const StoredAnswer &answer) {
+  if (!answer.mesh_error.sentence.empty()) lines.push_back("Mesh: " + answer.mesh_error.sentence);
   const std::string speeds =
       is_other_mass(rim)
           ? fmt::format("the speeds of this sentence are of {:.6g} kg, for {:.6g} kg they are {:.3g} times as high. ",
                         rim.fitted_mass, rim.mass, std::sqrt(rim.fitted_mass / rim.mass))
           : "";
-  if (const auto sentence = text(strain, "sentence"); !sentence.empty()) lines.push_back("Steel: " + speeds + sentence);
-  if (assumed.is_array() && !assumed.empty()) {
+  if (answer.strain && !answer.strain->sentence.empty()) lines.push_back("Steel: " + speeds + answer.strain->sentence);
+  if (!answer.assumptions.empty()) {
     std::vector<std::string> keys;
-    for (const auto &one : assumed) keys.push_back(text(one, "key") + " = " + text(one, "value"));
-    lines.push_back(fmt::format("Assumed, not given ({}): {}.", assumed.size(), fmt::join(keys, ", ")));
+    for (const auto &one : answer.assumptions) keys.push_back(one.key + " = " + one.value);
+    lines.push_back(fmt::format("Assumed, not given ({}): {}.", keys.size(), fmt::join(keys, ", ")));
   }
-  const json doubts = answer.value("doubts", json());
-  std::vector<std::string> sentences;
-  if (doubts.is_array())
-    for (const auto &doubt : doubts)
-      if (doubt.is_string()) sentences.push_back(doubt.get<std::string>());
-  for (const auto &doubt : said_once(sentences)) lines.push_back("DOUBT: " + doubt);
+  for (const auto &doubt : said_once(answer.doubts)) lines.push_back("DOUBT: " + doubt);
 }
 
 } // namespace
 
-std::vector<std::string> statement_of(const ExportedRim &rim, const json &answer, const json &law) {
+std::vector<std::string> statement_of(const ExportedRim &rim, const StoredAnswer &answer, const StoredLaw &law) {
   std::vector<std::string> lines;
   lines.push_back(fmt::format("Bearing {}. Load {:.6g} kN, mass {:.6g} kg, g = {:g} m/s2.", rim.bearing,
                               rim.vertical / 1e3, rim.mass, rim.gravity));
-  lines.push_back(fmt::format("Fitted to: {}, rung {}, mesh {}.", text(answer, "source"), text(answer, "rung"),
-                              text(answer, "mesh")));
-  lines.push_back(fmt::format("Impact law: {} (chosen by: {}), {}.", rim.law().name, text(law, "chosen_by"),
+  lines.push_back(fmt::format("Fitted to: {}, rung {}, mesh {}.", answer.source, fmt::join(answer.rungs, ", "),
+                              fmt::join(answer.meshes, ", ")));
+  lines.push_back(fmt::format("Impact law: {} (chosen by: {}), {}.", rim.law().name, law.chosen_by,
                               rim.of_mass ? fmt::format("holds for {:.6g} kg only", rim.fitted_mass)
                                           : "belongs to the rim, whatever the mass"));
-  if (const auto remark = text(law, "remark"); !remark.empty()) lines.push_back("Remark: " + remark);
-  const json parameters = law.value("parameters", json::object());
-  if (parameters.is_object())
-    for (const auto &[name, fitted] : parameters.items())
-      if (fitted.is_object()) lines.push_back(parameter_line(name, fitted));
+  if (!law.remark.empty()) lines.push_back("Remark: " + law.remark);
+  for (const auto &[name, fitted] : law.parameters) lines.push_back(parameter_line(name, fitted));
   add_range(lines, rim, law);
   if (!rim.foot.empty()) lines.push_back(rim.foot);
   add_errors(lines, answer);
   add_steel(lines, answer);
   add_doubts(lines, rim, answer);
-  const std::string sentence = text(law, "sentence"), validity = text(answer, "validity");
-  if (!sentence.empty()) lines.push_back(sentence);
-  lines.push_back("Validity: " + (validity.empty() ? std::string("not known.") : validity));
+  if (!law.sentence.empty()) lines.push_back(law.sentence);
+  lines.push_back("Validity: " + (answer.validity.empty() ? std::string("not known.") : answer.validity));
   for (auto &line : lines) line = plain_text(line);
   return lines;
 }

@@ -6,7 +6,8 @@
 namespace rimpact::calibration {
 
 /// Bearing, load, who was fitted, law with its numbers and intervals, range, errors on runs left out, errors of the
-/// answer, strain, mesh, assumptions, doubts, validity. `law` is answer.law or what stands for it.
-std::vector<std::string> statement_of(const ExportedRim &rim, const nlohmann::json &answer, const nlohmann::json &law);
+/// answer, strain, mesh, assumptions, doubts, validity. `law` is the answer's or what stands for it.
+std::vector<std::string> statement_of(const ExportedRim &rim, const scene::StoredAnswer &answer,
+                                      const scene::StoredLaw &law);
 
 } // namespace rimpact::calibration

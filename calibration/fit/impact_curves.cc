@@ -95,8 +95,10 @@ void write_curves(const ImpactCurves &curves, const std::string &folder) {
                        {"grazing", c.grazing},
                        {"reference", to_json(c.reference)},
                        {"law", to_json(c.law)}});
-  const json file{
-      {"scene", scene::to_toml(curves.scene)}, {"law", curves.scene.reduced.impact_law->name}, {"impacts", impacts}};
+  const json file{{"scene", scene::to_toml(curves.scene)},
+                  {"lateral_capacity_m", curves.scene.lateral_capacity()},
+                  {"law", curves.scene.reduced.impact_law->name},
+                  {"impacts", impacts}};
   write_atomically(file.dump() + "\n", folder + "/curves.json");
 }
 

@@ -1,10 +1,9 @@
 #include "calibration/fit/path_fit.h"
+#include "calibration/fit/bounded_search.h"
 #include "io/files/error.h"
 #include "laws/impact/catalogue.h"
 #include <algorithm>
-#include <ceres/ceres.h>
 #include <cmath>
-#include <glog/logging.h>
 #include <limits>
 
 namespace rimpact::calibration {
@@ -67,7 +66,6 @@ struct End {
 
 End descend(const ForceOverPath &law, int n_samples, const std::vector<const Parameter *> &free,
             const scene::Scene &from) {
-  FLAGS_minloglevel = google::GLOG_FATAL; // what Ceres has to say is in its summary
   const auto n = static_cast<int>(free.size());
   End end;
   for (const Parameter *p : free) end.x.push_back(p->to_variable(std::clamp(p->get(from) / p->si, p->lower, p->upper)));
@@ -75,16 +73,12 @@ End descend(const ForceOverPath &law, int n_samples, const std::vector<const Par
   cost->AddParameterBlock(n), cost->SetNumResiduals(n_samples);
   ceres::Problem problem;
   problem.AddResidualBlock(cost, nullptr, end.x.data());
-  for (int i = 0; i < n; ++i) {
-    problem.SetParameterLowerBound(end.x.data(), i, free[i]->to_variable(free[i]->lower));
-    problem.SetParameterUpperBound(end.x.data(), i, free[i]->to_variable(free[i]->upper));
-  }
-  ceres::Solver::Options options;
-  options.linear_solver_type = ceres::DENSE_QR;
-  options.logging_type = ceres::SILENT;
-  options.max_num_iterations = 100;
+  keep_within(
+      problem, end.x.data(), [&](int i) { return free[i]->to_variable(free[i]->lower); },
+      [&](int i) { return free[i]->to_variable(free[i]->upper); });
+  constexpr int max_iterations = 100;
   ceres::Solver::Summary summary;
-  ceres::Solve(options, &problem, &summary);
+  ceres::Solve(silent_solver(max_iterations), &problem, &summary);
   if (summary.IsSolutionUsable()) end.cost = summary.final_cost;
   return end;
 }

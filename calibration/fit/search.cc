@@ -1,7 +1,6 @@
 #include "calibration/fit/search.h"
+#include "calibration/fit/bounded_search.h"
 #include <algorithm>
-#include <ceres/ceres.h>
-#include <glog/logging.h>
 
 namespace rimpact::calibration {
 
@@ -59,8 +58,6 @@ std::vector<int> held_at_bounds(const Problem &problem, const Eigen::VectorXd &x
 }
 
 Ending search(const Problem &problem, Eigen::VectorXd x, const FitOptions &options, double best) {
-  // Ceres logs through glog; what it has to say is in its summary.
-  FLAGS_minloglevel = google::GLOG_FATAL;
   ceres::Problem ceres_problem;
   Nuisance nuisance; // all zero: what was known of each impact beforehand
   for (const auto &block : problem.blocks()) nuisance.push_back(Eigen::VectorXd::Zero(block->n_nuisance()));
@@ -71,14 +68,8 @@ Ending search(const Problem &problem, Eigen::VectorXd x, const FitOptions &optio
     if (block->n_nuisance() > 0) unknowns.push_back(nuisance[i].data());
     ceres_problem.AddResidualBlock(new Cost(problem, *block), loss, unknowns);
   }
-  for (int i = 0; i < problem.n_unknowns(); ++i) {
-    ceres_problem.SetParameterLowerBound(x.data(), i, problem.lower()(i));
-    ceres_problem.SetParameterUpperBound(x.data(), i, problem.upper()(i));
-  }
-  ceres::Solver::Options solver;
-  solver.linear_solver_type = ceres::DENSE_QR;
-  solver.logging_type = ceres::SILENT;
-  solver.max_num_iterations = options.max_iterations;
+  keep_within(ceres_problem, x.data(), problem.lower(), problem.upper());
+  ceres::Solver::Options solver = silent_solver(options.max_iterations);
   solver.function_tolerance = options.tolerance; // data without errors go on until the parameters stand still
   solver.gradient_tolerance = 1e-12;
   solver.parameter_tolerance = 1e-9;

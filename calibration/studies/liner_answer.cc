@@ -1,6 +1,7 @@
 #include "calibration/studies/liner_answer.h"
 #include "io/files/error.h"
 #include "io/files/json_text.h"
+#include "responses/crossing.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -33,13 +34,10 @@ std::pair<std::string, bool> wall_in_words(const std::optional<WallBehind> &behi
 
 std::optional<WallBehind> wall_behind(const VaryPoint &rim, double force) {
   const auto &table = rim.table;
-  const auto reached =
-      std::find_if(table.peak_force.begin(), table.peak_force.end(), [=](double f) { return f >= force; });
-  if (reached == table.peak_force.begin() || reached == table.peak_force.end()) return {};
-  const auto right = static_cast<std::size_t>(reached - table.peak_force.begin());
-  const double share = (force - table.peak_force[right - 1]) / (*reached - table.peak_force[right - 1]);
+  const auto passed = first_crossing(table.peak_force, force);
+  if (!passed) return {};
   const auto at = [&](const std::vector<double> &values) -> std::optional<double> {
-    return values.empty() ? std::nullopt : std::optional(std::lerp(values[right - 1], values[right], share));
+    return values.empty() ? std::nullopt : std::optional(passed->of(values));
   };
   return WallBehind{.depth = *at(table.depth), .strain = at(table.strain), .foot_use = at(table.foot_use)};
 }

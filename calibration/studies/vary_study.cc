@@ -2,6 +2,7 @@
 
 #include "calibration/data/series.h"
 #include "io/files/error.h"
+#include "responses/crossing.h"
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,13 +11,6 @@
 
 namespace rimpact::calibration {
 namespace {
-
-/// Of values over a rising `x`, straight between them.
-std::optional<double> crossing(const std::vector<double> &x, const std::vector<double> &y, double level) {
-  for (std::size_t i = 1; i < y.size(); ++i)
-    if (y[i] >= level && y[i] > y[i - 1]) return x[i - 1] + (x[i] - x[i - 1]) * (level - y[i - 1]) / (y[i] - y[i - 1]);
-  return {};
-}
 
 /// Lagrange's parabola through three points.
 double parabola(const std::array<double, 3> &x, const std::array<double, 3> &y, double at) {
@@ -91,9 +85,9 @@ VaryPoint vary_point(const reduced::RimCurveFile &file, const VaryQuestion &ques
   point.table = table_of(curve, file);
   const auto speed_where = [&](const std::vector<double> &d, const std::vector<double> &value,
                                double limit) -> std::optional<double> {
-    const auto deep = crossing(d, value, limit);
-    if (!deep || *deep > curve.range()) return {};
-    return std::sqrt(2 * curve.work(*deep) / question.mass);
+    const auto passed = first_crossing(value, limit);
+    if (!passed || passed->of(d) > curve.range()) return {};
+    return std::sqrt(2 * curve.work(passed->of(d)) / question.mass);
   };
   if (!file.foot.use.empty()) {
     point.foot_use = linear_at(file.foot.penetration, file.foot.use, point.depth);

@@ -50,8 +50,8 @@ struct VaryPoint {
   double peak_force, depth, rebound;    ///< [N], [m], [m/s]
   std::optional<double> strain;         ///< of the rim's side, averaged [-]; none: the curve does not say
   std::optional<double> foot_use;       ///< of the joint at the rim's foot [-]; none: one piece with the plate
-  std::optional<double> foot_goes_at;   ///< speed at which its use meets 1 [m/s]; none: not up to `fastest`
-  std::optional<double> speed_at_limit; ///< at which the strain meets its limit [m/s]; none: not up to `fastest`
+  std::optional<double> foot_goes_at;   ///< speed at which its use passes 1 [m/s]; none: not up to `fastest`
+  std::optional<double> speed_at_limit; ///< at which the strain passes its limit [m/s]; none: not up to `fastest`
   double fastest;                       ///< that the curve stops [m/s]
   SeverityTable table = {};             ///< up to `fastest`; empty between the rims
   double output(std::size_t k) const;   ///< in vary_outputs()'s order and units; NaN where it is not known

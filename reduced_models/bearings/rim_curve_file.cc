@@ -4,9 +4,8 @@
 #include "io/files/hdf5_memory.h"
 #include "io/files/table.h"
 #include "io/files/table_csv.h"
+#include "responses/crossing.h"
 #include "scene/rim_identity.h"
-#include <algorithm>
-#include <cmath>
 #include <fmt/format.h>
 #include <map>
 #include <mutex>
@@ -210,11 +209,7 @@ CurveJoint joint_of_curve(const scene::Scene &scene) {
   const KnownCurve &known = known_curve(scene.reduced.impact_curve);
   const auto &[depth, use] = known.file.foot;
   CurveJoint joint{known.file.joint, {}};
-  const auto k =
-      static_cast<std::size_t>(std::find_if(use.begin(), use.end(), [](double u) { return u >= 1; }) - use.begin());
-  if (k == use.size()) return joint;
-  const double at = k == 0 ? depth[0] : std::lerp(depth[k - 1], depth[k], (1 - use[k - 1]) / (use[k] - use[k - 1]));
-  joint.gone_at = known.held->loading(at).force;
+  if (const auto gone = first_crossing(use, 1)) joint.gone_at = known.held->loading(gone->of(depth)).force;
   return joint;
 }
 

@@ -1,7 +1,7 @@
 """What the client's pages say, without a word of any language: keys of words.csv, and numbers as the first page writes them."""
 from typing import Any
 
-from ..bearing import is_double_concave, lateral_capacity
+from ..bearing import is_double_concave
 from ..context import Context
 from ..first_page.device import assumptions
 from ..first_page.error_bars import bars
@@ -41,7 +41,7 @@ def _device(context: Context) -> dict[str, Any]:
     rows = [of_bearing("radius", "surface", "R0_m", "m"), of_bearing("half_width", "surface", "a_m", "m"),
             of_bearing("dish", "surface", "planar_radius_mm", "mm"), of_bearing("slider", "slider", "diameter_mm", "mm"),
             of_bearing("rim_height", "rim", "height_mm", "mm"), of_bearing("rim_thickness", "rim", "thickness_mm", "mm"),
-            _row("capacity", lateral_capacity(bearing), 1e3, 1, "mm") if surface else None,
+            _row("capacity", context.capacity, 1e3, 1, "mm") if surface else None,
             _row("yield", bearing.get("material", {}).get("steel", {}).get("yield_MPa"), 1, None, "MPa", "material.steel.yield_MPa" in assumed),
             _row("weight", pick("vertical_kN"), 1, None, "kN"), _row("mass", pick("mass_kg"), 1, None, "kg")]
     return {"name": bearing.get("name") or context.results.answer.get("bearing", ""), "surface": _kind(context, bearing),

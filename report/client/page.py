@@ -48,6 +48,6 @@ def _pictures(context: Context, found: dict[str, Any], words: Words) -> dict[str
     bearing = context.scene.get("bearing") if not context.rigid_bodies else None
     draw, prefix = context.pictures.figure, f"client-{words.language}"
     with plt.rc_context({"font.sans-serif": [*([family] if family else []), *plt.rcParams["font.sans-serif"]]}):
-        section = draw(f"{prefix}-bearing", "", bearing_figure.draw, bearing, context.whole_bearing, labels=labels) if bearing else None
+        section = draw(f"{prefix}-bearing", "", bearing_figure.draw, bearing, context.capacity, context.whole_bearing, labels=labels) if bearing else None
         law = draw(f"{prefix}-law", "", law_figure.draw, context.results.impacts, name, labels=labels, number=spoken.number)
     return {"section": section, "law": law}

@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Polygon
 
-from ..bearing import TwoDishes, height, is_double_concave, lateral_capacity, value
+from ..bearing import TwoDishes, height, is_double_concave, value
 from ..style import FAINT, FE, INK, MUTED, RIM, plt, save
 
 STEEL, SLIDER, PAD = "#d7dee5", "#b9cfe2", "#e9d8b4"
@@ -16,10 +16,10 @@ WIDTH, DPI = 4.7, 300
 LABELS = {"dish_short": "dish", "rim_short": "rim", "at_rest": "at rest", "at_touch": "at touch"}
 
 
-def draw(bearing: dict[str, Any], whole: bool, path: str, labels: dict[str, str] | None = None) -> str:
-    """`bearing`: the resolved [bearing] table. `whole`: pad and foot take part and are drawn. `labels`: LABELS in another language.
-    Throws ValueError where a dimension is missing."""
-    size = (DoubleSection if is_double_concave(bearing) else Section)(bearing)
+def draw(bearing: dict[str, Any], capacity: float | None, whole: bool, path: str, labels: dict[str, str] | None = None) -> str:
+    """`bearing`: the resolved [bearing] table. `capacity`: L_c [m]. `whole`: pad and foot take part and are drawn. `labels`: LABELS in
+    another language. Throws ValueError where a dimension is missing."""
+    size = (DoubleSection if is_double_concave(bearing) else Section)(bearing, capacity)
     fig, ax = plt.subplots(figsize=(WIDTH, WIDTH * size.aspect()), layout="constrained")
     ax.add_patch(Polygon(1e3 * size.plate(), closed=True, facecolor=STEEL, edgecolor=INK, lw=0.7, joinstyle="miter"))
     styles: tuple[tuple[float, dict[str, Any]], ...] = ((0.0, dict(facecolor="none", edgecolor=FE, ls=(0, (3, 1.6)))),
@@ -40,7 +40,7 @@ def draw(bearing: dict[str, Any], whole: bool, path: str, labels: dict[str, str]
 class Section:
     """Outlines (n, 2) in m: x along the travel, z up, the vertex at the origin."""
 
-    def __init__(self, bearing: dict[str, Any]) -> None:
+    def __init__(self, bearing: dict[str, Any], capacity: float | None) -> None:
         self.bearing = bearing
         self.missing: list[str] = []
         self.reach = self._needed("surface", "planar_radius_mm", "reach")
@@ -48,7 +48,6 @@ class Section:
         self._stand()
         self.rim_height, self.thickness = self._needed("rim", "height_mm", "rim height"), self._needed("rim", "thickness_mm", "thickness")
         self.base = self._needed("plate", "base_mm", "base")
-        capacity = lateral_capacity(bearing)
         if self.missing or not capacity:
             raise ValueError(f"the scene does not give {', '.join(self.missing) or 'L_c'}")
         self.capacity = capacity

@@ -30,11 +30,11 @@ def make(context: Context) -> dict[str, Any]:
         return {"name": table.get("name") or context.rigid_bodies, "rows": _rigid(table) + _load(context), "figure": figure,
                 "remark": "Section to scale; dashed: at rest, filled: where the last rim is touched." if figure else ""}
     bearing = scene.get("bearing", {})
-    figure = context.pictures.figure("bearing", "", drawing.draw, bearing, context.whole_bearing)
+    figure = context.pictures.figure("bearing", "", drawing.draw, bearing, context.capacity, context.whole_bearing)
     remark = "Section to scale, mm; dashed: at rest, filled: where it touches the rim." if figure else ""
     if figure and {"pad.outer_radius_mm", "pad.thickness_mm"} <= context.assumed:
         remark += " The pad is an assumption."
-    return {"name": bearing.get("name", ""), "rows": _rows(bearing, context.assumed) + _load(context), "figure": figure,
+    return {"name": bearing.get("name", ""), "rows": _rows(bearing, context.capacity, context.assumed) + _load(context), "figure": figure,
             "remark": remark + ("" if context.whole_bearing or not figure else " Pad and foot do not take part in what was run.")}
 
 
@@ -77,7 +77,7 @@ JOINTS: dict[str, Callable[[dict[str, Any]], str]] = {
     "bolts": lambda joint: f"{plain(joint.get('number'))} bolts {joint.get('size')} {joint.get('grade')} on Ø {plain(joint.get('circle_mm'))}\u00a0mm"}
 
 
-def _rows(bearing: dict[str, Any], assumed: set[str]) -> list[list[Any]]:
+def _rows(bearing: dict[str, Any], capacity: float | None, assumed: set[str]) -> list[list[Any]]:
     """[label, value] pairs of what shapes an impact."""
     def number(part: str, key: str, unit: str = "") -> Markup:
         found = bearing.get(part, {}).get(key)
@@ -99,7 +99,6 @@ def _rows(bearing: dict[str, Any], assumed: set[str]) -> list[list[Any]]:
     joint = bearing.get("rim", {}).get("connection", {})
     if joint.get("kind") in JOINTS:
         rows.append(["Rim's foot", JOINTS[joint["kind"]](joint)])
-    capacity = geometry.lateral_capacity(bearing)
     if capacity:
         rows.append([Markup("Travel to the rim, ") + sentence("L_c"), f"{scaled(capacity, 1e3, 1)}\u00a0mm"])
     steel = bearing.get("material", {}).get("steel", {})

@@ -62,24 +62,18 @@ private:
   void read_records() {
     const auto *node = file_.root().get("records");
     if (!node) return;
-    const auto *table = node->as_table();
-    if (!table) fail(*node, "records must be a table: [records]");
-    only(*table, {"folder", "components", "sa_period_s"}, "records");
-    const auto text = [&](const char *name) {
-      const auto *entry = table->get(name);
-      if (!entry || !entry->is_string()) fail(entry ? *entry : *node, fmt::format("records.{} must be a text", name));
-      return entry->as_string()->get();
-    };
-    const std::string written = text("components");
-    const auto components = parse<Components>(written);
-    if (!components)
-      fail(*table->get("components"), "records.components: " + unknown_word(written, words<Components>()));
+    std::string folder;
+    Components components{};
     double period = 0;
-    if (const auto *entry = table->get("sa_period_s")) {
-      period = entry->value<double>().value_or(0);
-      if (!(period >= 0.01 && period <= 100)) fail(*entry, "records.sa_period_s must be at least 0.01 and at most 100");
-    }
-    parts_.records = record_cases(text("folder"), *components, period, place(*table->get("folder")));
+    TomlReader reader(file_, "");
+    reader.section("records", [&] {
+      reader.text({"folder"}, folder);
+      reader.choice({"components"}, components);
+      reader.number({"sa_period_s"}, period, si, {0.01, 100});
+    });
+    for (const char *needed : {"records.folder", "records.components"})
+      if (!file_.find(needed)) fail(*node, fmt::format("[records] needs {}", needed));
+    parts_.records = record_cases(folder, components, period, file_.location("records.folder"));
   }
 
   /// Files are sought beside the sweep file.

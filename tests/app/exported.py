@@ -32,7 +32,7 @@ class Recorder:
 def calibration(text: str = "plain", identity: str = "0" * 16, **law: Any) -> dict[str, Any]:
     """A calibration.json; `text` stands wherever text may stand."""
     parameters = {"k_i": {"value": 1085500, "unit": text, "interval_95": [1.06e6, 1.1e6], "identifiable": True}, text: {"value": 1, "unit": text}}
-    return {"answer": {"bearing": text, "rim_identity": identity, "rung": text, "mesh": [text, 1], "mass_kg": 86952.0, "vertical_kN": 853.0, "gravity_m_per_s2": 9.81, "source": text,
+    return {"answer": {"bearing": text, "rim_identity": identity, "rung": text, "mesh": [2, 1], "mass_kg": 86952.0, "vertical_kN": 853.0, "gravity_m_per_s2": 9.81, "source": text,
                        "law": {"name": "elastoplastic", "chosen_by": text, "remark": text, "belongs_to": "rim", "parameters": parameters, "element": ELEMENT, "fitted_from_m_s": 0.1,
                                "fitted_to_m_s": 0.7, "valid_from_m_s": 0.1, "valid_to_m_s": 0.7, "tolerance": 0.05,
                                "worst_left_out": {"peak_force": 0.02, "rebound": 0.04, "inside_valid_range": True}, "sentence": text, **law},

@@ -21,7 +21,8 @@ class Bounds(unittest.TestCase):
         self.assertEqual([one["bound"] for one in table["runs"]], ["nominal", "lower", "upper"])
         self.assertAlmostEqual(table["runs"][1]["lambda"], 0.7 * 0.85)
         self.assertAlmostEqual(table["runs"][2]["lambda"], 1.42 * 1.3 * 1.15)
-        self.assertTrue(table["factors"]["assumed"])
+        self.assertEqual(table["factors"], {"standard": "asce-7-22", "assumed": True, "lambda_ae_max": 1.56, "lambda_ae_min": 1, "lambda_test_max": 1.3,
+                                            "lambda_test_min": 0.7, "lambda_spec_max": 1.15, "lambda_spec_min": 0.85})
         self.assertIn("assumption", table["origin"])
         rows = {row["quantity"]: row["values"] for row in table["rows"]}
         self.assertGreater(rows["peak displacement"]["lower"], rows["peak displacement"]["upper"])
@@ -40,6 +41,25 @@ class Bounds(unittest.TestCase):
         self.assertIn("upper x 1.25", run.stdout)
         self.assertNotIn("lower", run.stdout)
         self.assertNotIn("assumption", run.stdout)
+        factors = json.loads(pathlib.Path(self.folder, "bounds.json").read_text())["factors"]
+        self.assertEqual(factors["lambda_max"], 1.25, "the factor itself, which took the place of the products")
+        self.assertFalse(factors["assumed"])
+
+    def test_factors_of_the_european_standard(self):
+        given = {"lambda_ageing": 1.2, "lambda_temperature": 1.1, "lambda_contamination": 1.1, "lambda_travel": 1, "lambda_combination": 0.7}
+        words = [word for key, value in given.items() for word in ("--set", f"bounds.{key}={value}")]
+        run = rimpact("reduced", "ricker-0.78g-1.0s", "--bounds", "upper", "-o", self.folder, "--json", "--set", 'bounds.standard="en-15129"', *words)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertEqual(json.loads(run.stdout)["factors"],
+                         {"standard": "en-15129", "assumed": False, "lambda_spec_max": 1.15, "lambda_spec_min": 0.85, **given})
+
+    def test_factors_that_are_not_given_are_null(self):
+        run = rimpact("reduced", "ricker-0.78g-1.0s", "--bounds", "upper", "-o", self.folder, "--json", "--set", 'bounds.standard="en-15129"',
+                      "--set", "bounds.lambda_max=1.4")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        factors = json.loads(run.stdout)["factors"]
+        self.assertIsNone(factors["lambda_ageing"])
+        self.assertEqual(factors["lambda_max"], 1.4)
 
     def test_a_building(self):
         run = rimpact("building", "ricker-0.78g-1.0s", "--bounds", "lower", "-o", self.folder, "--set", "excitation.scale=0.3", "--set",

@@ -134,7 +134,7 @@ class Export(Exported):
                 run = rimpact("export", folder, *arguments)
                 self.assertEqual(run.returncode, code, (arguments, run.stderr))
                 self.assertIn(needle, run.stderr)
-            for change, needle in ((lambda c: c.pop("answer"), "no answer"), (lambda c: c["answer"].update(mass_kg="86952; exec rm"), "mass_kg"),
+            for change, needle in ((lambda c: c.pop("answer"), "has no answer"), (lambda c: c["answer"].update(mass_kg="86952; exec rm"), "mass_kg"),
                                    (lambda c: c["answer"]["law"].update(name="magic"), "magic"), (lambda c: c["answer"]["law"].update(element={"k_i": []}), "k_i"),
                                    (lambda c: c["answer"]["law"].update(element=[1]), "calibration.json"), (lambda c: c["answer"].update(law=None), "law"),
                                    (lambda c: c["answer"]["law"].update(valid_from_m_s=-1), "speeds")):

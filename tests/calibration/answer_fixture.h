@@ -2,7 +2,7 @@
 /// curves.
 #pragma once
 #include "scene/rim_identity.h"
-#include <nlohmann/json.hpp>
+#include "scene/stored_calibration.h"
 
 namespace rimpact::calibration::testing {
 
@@ -68,6 +68,10 @@ inline nlohmann::json answer_fixture() {
                         {"left_out_rebound_error", 0.6},
                         {"sentence", "no-tension holds nowhere."}};
   return {{"answer", answer}, {"laws", {{"tolerance", 0.05}, {"rows", {row}}}}, {"fit", nlohmann::json::object()}};
+}
+
+inline scene::StoredCalibration stored(const nlohmann::json &calibration) {
+  return scene::read_calibration(calibration, "calibration.json");
 }
 
 } // namespace rimpact::calibration::testing

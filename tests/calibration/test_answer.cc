@@ -1,5 +1,6 @@
 // What a calibration hands over: its law, its table, its pair, its JSON and its fragment of a scene.
 #include "answer_runs.h"
+#include "calibration/answer/answer_json.h"
 #include "calibration/answer/answer_mesh_error.h"
 #include "calibration/answer/answer_text.h"
 #include "calibration/laws/law_errors.h"
@@ -71,6 +72,8 @@ TEST(Answer, IsTheContractsJsonAndItsFragmentFliesTheSame) {
        {"name", "chosen_by", "remark", "belongs_to", "parameters", "element", "fitted_from_m_s", "fitted_to_m_s",
         "valid_from_m_s", "valid_to_m_s", "tolerance", "worst_left_out", "force_unexplained", "n_runs", "sentence"})
     EXPECT_TRUE(json["law"].contains(key)) << key;
+  EXPECT_EQ(scene::to_json(scene::read_answer(json, "calibration.json")), scene::to_json(stored(*c.answer)))
+      << "what is written is read";
   EXPECT_EQ(json["law"]["name"], "elastoplastic");
   EXPECT_EQ(json["law"]["chosen_by"], "ranking");
   EXPECT_EQ(json["law"]["belongs_to"], "rim");

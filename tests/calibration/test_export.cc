@@ -10,7 +10,7 @@
 
 namespace rimpact::calibration {
 namespace {
-using testing::answer_fixture;
+using testing::answer_fixture, testing::stored;
 
 std::vector<std::string> lines_with(const std::string &text, const std::string &needle) {
   std::vector<std::string> found;
@@ -43,7 +43,7 @@ TEST(ExportedRim, EndsWhereTheRimsFootGoes) {
   auto calibration = answer_fixture();
   auto &foot = calibration["answer"]["rim_foot"];
   foot = {{"in_words", "two fillet welds"}, {"goes_at_force_kN", 812.5}, {"goes_at_m_s", 0.5}, {"borne_to_m_s", 0.4}};
-  const auto rim = exported_rim(calibration, {});
+  const auto rim = exported_rim(stored(calibration), {});
   EXPECT_NEAR(rim.to, 0.4, 1e-12);
   EXPECT_NEAR(rim.from, 0.1, 1e-12);
   EXPECT_NE(
@@ -52,7 +52,7 @@ TEST(ExportedRim, EndsWhereTheRimsFootGoes) {
       rim.statement.end());
   foot["borne_to_m_s"] = nullptr, foot["goes_at_m_s"] = 0.1;
   try {
-    exported_rim(calibration, {});
+    exported_rim(stored(calibration), {});
     FAIL() << "nothing was thrown";
   } catch (const InputError &error) {
     EXPECT_NE(std::string(error.what()).find("two fillet welds, goes at 0.1 m/s or below"), std::string::npos);
@@ -61,11 +61,11 @@ TEST(ExportedRim, EndsWhereTheRimsFootGoes) {
           {"goes_at_force_kN", nullptr},
           {"goes_at_m_s", nullptr},
           {"borne_to_m_s", nullptr}};
-  EXPECT_NEAR(exported_rim(calibration, {}).to, 0.7, 1e-12);
+  EXPECT_NEAR(exported_rim(stored(calibration), {}).to, 0.7, 1e-12);
 }
 
 TEST(PlasticLink, SeriesOfGapAndLinkIsTheLaw) {
-  const auto rim = exported_rim(answer_fixture(), {});
+  const auto rim = exported_rim(stored(answer_fixture()), {});
   const auto links = csi_rim(rim);
   EXPECT_LT(links.check.peak_force, 0.01); // the load path is the law's
   EXPECT_LT(links.check.penetration, 0.01);
@@ -80,7 +80,7 @@ TEST(PlasticLink, SeriesOfGapAndLinkIsTheLaw) {
 }
 
 TEST(Csi, TablesHoldTheLink) {
-  const auto rim = exported_rim(answer_fixture(), {});
+  const auto rim = exported_rim(stored(answer_fixture()), {});
   const auto links = csi_rim(rim);
   const auto dish = dish_of(scene::Scene{}, rim.lateral_capacity);
   const auto text = sap2000(rim, links, dish, {"command"});
@@ -125,7 +125,7 @@ TEST(Csi, APairIsGapAndDashpot) {
                                    {"worst_peak_force_error", 0.08},
                                    {"worst_rebound_error", 0.05},
                                    {"sentence", "A pair."}};
-  const auto rim = exported_rim(calibration, {.law = "pair", .mass = {}});
+  const auto rim = exported_rim(stored(calibration), {.law = "pair", .mass = {}});
   EXPECT_DOUBLE_EQ(rim.from, 0.2);
   EXPECT_DOUBLE_EQ(rim.settings.restitution, 0.5);
   const auto links = csi_rim(rim);
@@ -135,11 +135,11 @@ TEST(Csi, APairIsGapAndDashpot) {
   EXPECT_NEAR(field(lines_with(text, "Link=RIM   DOF=U1")[0], "TransKE="), 450000, 1e-3);
   EXPECT_NEAR(field(lines_with(text, "Link=RIM   DOF=U1")[0], "TransCE="),
               laws::damping_coefficient(4.5e8, 0.5, 86952) / 1e3, 1e-2);
-  EXPECT_THROW(exported_rim(calibration, {.law = "pair", .mass = 100000}), InputError);
+  EXPECT_THROW(exported_rim(stored(calibration), {.law = "pair", .mass = 100000}), InputError);
 }
 
 TEST(LawCsv, LoadsAndUnloadsFromFiveDepths) {
-  const auto rim = exported_rim(answer_fixture(), {});
+  const auto rim = exported_rim(stored(answer_fixture()), {});
   const auto text = law_csv(rim, {"command"});
   const auto element = rim.element();
   std::istringstream lines(text);

@@ -8,7 +8,7 @@
 
 namespace rimpact::calibration {
 namespace {
-using testing::answer_fixture;
+using testing::answer_fixture, testing::stored;
 
 scene::Scene scene_with(scene::SurfaceKind kind) {
   scene::Scene scene;
@@ -108,7 +108,7 @@ TEST(BearingFlight, AGroundThatRisesSteadilyIsMoreGravity) {
 }
 
 TEST(PulseCheck, TheRidingBearingArrivesAsTheModel) {
-  const auto rim = exported_rim(answer_fixture(), {});
+  const auto rim = exported_rim(stored(answer_fixture()), {});
   const auto springs = opensees_rim(rim);
   const auto links = csi_rim(rim);
   for (const auto kind : {scene::SurfaceKind::ellipse, scene::SurfaceKind::sphere}) {
@@ -156,7 +156,7 @@ TEST(PulseCheck, WhatIsRefusedIsNoHairsBreadth) {
 }
 
 TEST(SelfCheck, SecondHitsMeetTheDent) {
-  const auto rim = exported_rim(answer_fixture(), {});
+  const auto rim = exported_rim(stored(answer_fixture()), {});
   for (const SelfCheck &check : {opensees_rim(rim).check, csi_rim(rim).check}) {
     ASSERT_TRUE(check.dents);
     for (const auto &row : check.rows) {
@@ -180,30 +180,30 @@ TEST(Statement, ErrorsOfTheAnswerAreInTheHead) {
     return std::any_of(rim.statement.begin(), rim.statement.end(),
                        [&](const auto &line) { return line.find(needle) != std::string::npos; });
   };
-  EXPECT_TRUE(has(exported_rim(calibration, {}), "DOUBT: how far these numbers may be"));
+  EXPECT_TRUE(has(exported_rim(stored(calibration), {}), "DOUBT: how far these numbers may be"));
   calibration["answer"]["error_sentences"] = {"Peak force: within about 28 % of the bearing's."};
-  EXPECT_TRUE(has(exported_rim(calibration, {}), "Error of the answer: Peak force: within about 28 %"));
-  EXPECT_FALSE(has(exported_rim(calibration, {}), "DOUBT: how far"));
+  EXPECT_TRUE(has(exported_rim(stored(calibration), {}), "Error of the answer: Peak force: within about 28 %"));
+  EXPECT_FALSE(has(exported_rim(stored(calibration), {}), "DOUBT: how far"));
 }
 
 TEST(TakeStack, TermsOfTheAnswerComeIntoTheDish) {
   auto calibration = answer_fixture();
   scene::Scene scene;
-  take_stack(scene, calibration["answer"]);
+  take_stack(scene, *stored(calibration).answer);
   const auto bare = dish_of(scene, 0.4);
-  EXPECT_TRUE(stack_effect(scene, exported_rim(calibration, {})).empty());
+  EXPECT_TRUE(stack_effect(scene, exported_rim(stored(calibration), {})).empty());
   calibration["answer"]["stack"] = {{"finite_pad", true},
                                     {"socket_friction", true},
                                     {"friction", "park-wen"},
                                     {"elastic_slip_mm", 0.2},
                                     {"elastic_slip_from", "fit"}};
-  take_stack(scene, calibration["answer"]);
+  take_stack(scene, *stored(calibration).answer);
   const auto dish = dish_of(scene, 0.4);
   EXPECT_NEAR(dish.elastic_slip, 1.25 * 0.2e-3, 1e-12);
   EXPECT_GT(dish.mu_fast, 1.03 * bare.mu_fast);             // the socket
   EXPECT_GT(dish.slope_at(0.4), 1.01 * bare.slope_at(0.4)); // the pad's size
   EXPECT_EQ(dish.stack.size(), 3u);
-  EXPECT_EQ(stack_effect(scene, exported_rim(calibration, {})).size(), 2u);
+  EXPECT_EQ(stack_effect(scene, exported_rim(stored(calibration), {})).size(), 2u);
 }
 
 } // namespace

@@ -7,7 +7,7 @@
 
 namespace rimpact::calibration {
 namespace {
-using testing::answer_fixture;
+using testing::answer_fixture, testing::stored;
 
 /// Comments as they were before lines were broken.
 std::string unbroken(std::string text) {
@@ -15,7 +15,7 @@ std::string unbroken(std::string text) {
   return text;
 }
 ExportedRim rim_of(const nlohmann::json &calibration, const ExportChoice &choice = {}) {
-  return exported_rim(calibration, choice);
+  return exported_rim(stored(calibration), choice);
 }
 
 TEST(OpenSees, FourSpringsStopTheMassAsTheLawDoes) {

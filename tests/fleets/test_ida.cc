@@ -110,8 +110,11 @@ TEST(RecordFolder, ErrorsNameFolderAndKey) {
   refused("[records]\nfolder = '.'\ncomponents = 'xz'\n", {"s.toml:3:", "components", "xz", "xyz"});
   refused("[records]\nfolder = '.'\ncomponents = 'xy'\n", {"s.toml:2:", "no station", "xy"});
   refused("[records]\nfolder = '.'\n", {"s.toml:1:", "records.components"});
+  refused("[records]\ncomponents = 'x'\n", {"s.toml:1:", "[records] needs records.folder"});
+  refused("[records]\nfolder = 3\ncomponents = 'x'\n", {"s.toml:2:", "records.folder must be a string, got 3"});
+  refused("[records]\nfolder = '.'\ncomponents = 'x'\nperiod_s = 1\n", {"s.toml:4:", "unknown key \"period_s\""});
   refused("[records]\nfolder = '.'\ncomponents = 'x'\nsa_period_s = 0\n",
-          {"s.toml:4:", "sa_period_s", "at least 0.01"});
+          {"s.toml:4:", "records.sa_period_s 0 must be >= 0.01 and <= 100"});
   refused("[grid]\nexcitation.scale = [1]\n[fractiles]\nalong = 'excitation.scal'\n", {"s.toml:4:", "excitation.scal"});
   refused("[grid]\nvariable.a = [1]\nvariable.b = [0]\n[linked]\nexcitation.scale = { product = "
           "['variable.a'], over = "

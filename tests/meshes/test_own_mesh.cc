@@ -315,7 +315,12 @@ TEST(SurfaceList, KindsRadiiAndCentresAreThoseDrawn) {
   expect(torus["centre"], {0, 0, 200});
   const std::string text = describe_surfaces(bodies);
   EXPECT_NE(text.find("Sphere, radius 11, centre (100, 0, -3)"), std::string::npos) << text;
-  EXPECT_THROW(list_surfaces("no-such.step"), DataError);
+  try {
+    list_surfaces("no-such.step");
+    ADD_FAILURE() << "it is not there";
+  } catch (const DataError &error) {
+    EXPECT_STREQ(error.what(), "no-such.step: no such mesh file (--surfaces)") << "no key of a scene named it";
+  }
 }
 
 /// Plate and rim of a STEP file, one on the other: they get a common face, and the surfaces keep their names.

@@ -151,16 +151,17 @@ class Geometry(unittest.TestCase):
         table = {"surface": {"kind": "table", "radius_mm": [0, 100, 200], "height_mm": [0, 4, 16]}}
         self.assertAlmostEqual(float(bearing.height(table, 0.15)), 0.010)
 
-    def test_two_dishes_touch_as_the_program_says(self):
+    def test_two_dishes_are_drawn_where_the_program_has_them_touch(self):
         dcfp = {"surface": {"kind": "sphere", "concave": "double", "R0_m": 1.55, "planar_radius_mm": 303.35}, "rim": {"ledge_mm": 0.0},
                 "slider": {"diameter_mm": 300.0, "height_mm": 100.0, "edge_radius_mm": 2.0}}
-        self.assertAlmostEqual(bearing.lateral_capacity(dcfp), 0.3000019207318123, delta=1e-12)  # of a run's gap at the start
+        capacity = 0.3000019207318123  # of a run's gap at the start
         two = bearing.TwoDishes(dcfp)
         self.assertAlmostEqual(2 * two.middle(0.2)[0], 0.2, delta=1e-12)  # what is carried has moved by both halves
-        reach = two.slider(two.capacity)[:, 0].max()
+        reach = two.slider(capacity)[:, 0].max()
         self.assertAlmostEqual(reach, 0.30335, delta=0.3e-3)  # its outline is drawn with a sharp edge
+        self.assertIsNone(bearing.lateral_capacity(dcfp), "the program states it")
         del dcfp["slider"]["height_mm"]
-        self.assertIsNone(bearing.lateral_capacity(dcfp))
+        self.assertEqual(bearing.TwoDishes.missing(dcfp), ["slider.height_mm"])
 
     def test_what_cannot_be_drawn_is_said(self):
         with self.assertRaisesRegex(ValueError, "does not reach"):

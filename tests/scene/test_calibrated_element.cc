@@ -226,13 +226,15 @@ TEST(CalibratedElement, RefusesWhatCannotBeRead) {
   const std::string e = R"("e": {"value": 0.5, "unit": "-"})", k = R"("k_i": {"value": 3e5, "unit": "kN/m"})";
   refuse("{", {"calibration.json", "JSON"});
   refuse("{}", {"calibration.toml", "no such file"});
-  refuse(R"({"answer": 3})", {"answer.law.name"});
+  refuse(R"({"answer": 3})", {"calibration.json: answer is not a JSON object"});
   refuse(answer("signed", "{" + e + "}", "rim", ""), {"law signed without k_i_kN_per_m"});
   refuse(answer("elastoplastic", "{" + k + "}", "rim", ""), {"elastoplastic without yield_force_kN"});
-  refuse(answer("signed", R"({"k_i": {"value": 3e8, "unit": "N/m"},)" + e + "}", "rim", ""), {"k_i is not in kN/m"});
+  refuse(answer("signed", R"({"k_i": {"value": 3e8, "unit": "N/m"},)" + e + "}", "rim", ""),
+         {"calibration.json: answer.law.element.k_i.unit is \"N/m\", not \"kN/m\""});
   refuse(answer("signed", R"({"k_i": {"value": "3e5", "unit": "kN/m"},)" + e + "}", "rim", ""),
-         {"k_i_kN_per_m is not a finite number"});
-  refuse(answer("signed", R"({"k_j": {"value": 3e5, "unit": "kN/m"},)" + e + "}", "rim", ""), {"no parameter \"k_j\""});
+         {"answer.law.element.k_i.value is not a number"});
+  refuse(answer("signed", R"({"k_j": {"value": 3e5, "unit": "kN/m"},)" + e + "}", "rim", ""),
+         {"answer.law.element.k_j is no parameter that this version knows"});
   refuse(answer("signd", "{" + k + "," + e + "}", "rim", ""), {"did you mean \"signed\""});
   refuse(answer("signed", "{" + k + R"(, "e": {"value": 1.5, "unit": "-"}})", "rim", ""), {"restitution 1.5", "<= 1"});
   expect_error<DataError>([] { load_scene("impact-window", {"reduced.calibration=/nowhere"}); },

@@ -193,8 +193,8 @@ TEST(Limits, HitsBeyondTheSteelOfAReducedRunAreCounted) {
   const fs::path folder = fs::temp_directory_path() / ("rimpact-steel-" + std::to_string(::getpid()));
   fs::create_directories(folder / "other");
   std::ofstream(folder / "calibration.json")
-      << R"({"answer": {"strain": {"rows": [{"speed_m_s": 0.2, "penetration_mm": 4, "strain": 0.1},
-             {"speed_m_s": 0.5, "penetration_mm": 12, "strain": 0.3}, {"speed_m_s": 1, "strain": 0.9}]}}})";
+      << R"({"answer": {"law": {"name": "signed", "element": {}}, "strain": {"rows": [
+             {"speed_m_s": 0.2, "penetration_mm": 4, "strain": 0.1}, {"speed_m_s": 0.5, "penetration_mm": 12, "strain": 0.3}, {"speed_m_s": 1, "strain": 0.9}]}}})";
   std::ofstream(folder / "other" / "calibration.json") << R"({"answer": {"strain": null}})";
   const auto counted = [](const Scene &scene) {
     Summary s;

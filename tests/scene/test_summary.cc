@@ -210,7 +210,8 @@ TEST(RunFolder, HoldsEverythingAndRunsAgain) {
   EXPECT_FALSE(back.meta.at("git").empty());
   auto written = nlohmann::json::parse(text_of(run + "/summary.json"));
   EXPECT_EQ(written["identity"], to_json(identity_of(scene)));
-  written.erase("identity");
+  EXPECT_DOUBLE_EQ(written["lateral_capacity_m"].get<double>(), 0.4) << "L_c = r_p - b_s / 2 of shfps-225";
+  written.erase("identity"), written.erase("lateral_capacity_m");
   EXPECT_EQ(written, to_json(summary));
   EXPECT_TRUE(std::filesystem::exists(run + "/response.csv"));
   write_run_folder(folder / "stopped", scene, Response{}, summary); // stopped before its first sample
