@@ -112,8 +112,10 @@ void run_curves(std::vector<CurveJob> &jobs, const std::string &folder, std::siz
   const auto begin = Clock::now();
   for (std::size_t next = 0; next < waiting.size() || !children.empty();) {
     if (interrupted()) stop(children);
-    while (next < waiting.size() && children.size() < at_once)
-      children.push_back(launch(*waiting[next++], folder, at_once == 1));
+    while (next < waiting.size() && children.size() < at_once) {
+      const bool is_odd_last = next + 1 == waiting.size() && waiting.size() % at_once == 1;
+      children.push_back(launch(*waiting[next++], folder, at_once == 1 || is_odd_last)); // the last one has all cores
+    }
     collect(children, folder, console);
     std::string running;
     for (const auto &child : children) running += " " + child.job->name;

@@ -22,7 +22,7 @@ namespace {
 struct ReliabilityOptions {
   std::string study, folder, shard, table;
   std::vector<std::string> records;
-  int n_threads = 0, slurm = 0;
+  int n_threads = 0, slurm = 0, samples = 0; ///< samples 0: as the study has them
   bool dry_run = false, no_report = false, resume = false;
 };
 
@@ -162,6 +162,11 @@ void run_reliability(ReliabilityOptions options, Console &console) {
       throw InputError(options.study + ": --table replaces motions.table, and this study has none");
     study.motions.table = options.table;
   }
+  if (options.samples > 0) {
+    if (study.parts.sampled.empty())
+      throw InputError(options.study + ": --samples replaces latin_hypercube.samples, and this study has none");
+    study.parts.samples = options.samples;
+  }
   if (options.folder.empty()) options.folder = default_folder(study.name);
   if (options.slurm > 0) return write_slurm({.shards = options.slurm, .folder = options.folder}, console);
   const bool is_shard = parse_shard(options.shard).second > 1;
@@ -194,6 +199,8 @@ void add_reliability(CLI::App &verb, Console &console) {
                   "RIMPACT_RECORDS")
       ->allow_extra_args(false);
   verb.add_option("--table", options->table, "the table of motions, in place of the study's motions.table");
+  verb.add_option("--samples", options->samples, "of the Latin hypercube, in place of the study's: 1 for a first look")
+      ->check(CLI::Range(1, 100000));
   verb.add_option("--shard", options->shard, "I/N: every N-th system from the I-th on, with the same -o");
   add_slurm(verb, options->slurm);
   verb.add_option("--threads,--jobs", options->n_threads, "default: as many as the machine has")

@@ -1,12 +1,14 @@
 // rimpact thesis: a figure or table of the thesis by its number, made by this program's own verbs and drawn beside it.
 #include "app/console/child_process.h"
 #include "app/verbs/catalogue.h"
+#include <fmt/format.h>
 
 namespace rimpact::app {
 namespace {
 
 struct ThesisOptions {
   std::string what = "list", records, folder = "results/thesis";
+  int jobs = 0; ///< side by side; 0: as many as there are cores
   bool cheap = false;
 };
 
@@ -14,6 +16,7 @@ std::vector<std::string> command(const ThesisOptions &options, const Console &co
   std::vector<std::string> words{"report.thesis", "--program=" + program_beside("rimpact"),
                                  "--output=" + options.folder};
   if (!options.records.empty()) words.push_back("--records=" + options.records);
+  if (options.jobs > 0) words.push_back(fmt::format("--jobs={}", options.jobs));
   if (options.cheap) words.emplace_back("--cheap");
   if (console.json) words.emplace_back("--json");
   if (console.quiet) words.emplace_back("--quiet");
@@ -33,6 +36,7 @@ void add_thesis(CLI::App &verb, Console &console) {
   verb.add_option("WHAT", options->what, "list, headlines, fig-2-7, table-3-4, design, ... or all")
       ->capture_default_str();
   verb.add_flag("--cheap", options->cheap, "only what takes seconds: no finite elements");
+  verb.add_option("--jobs", options->jobs, "runs side by side (default: one a core)")->check(CLI::Range(1, 64));
   verb.add_option("--records", options->records, "folder of your AT2 files (default: RIMPACT_RECORDS, else this one)");
   verb.add_option("-o,--output", options->folder, "folder of runs, pictures and pages")->capture_default_str();
   console.add_common(verb);

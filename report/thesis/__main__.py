@@ -1,4 +1,4 @@
-"""python3 -m report.thesis WHAT --program RIMPACT --output DIR [--records DIR] [--cheap] [--json]: list, headlines, one figure or table, or all."""
+"""python3 -m report.thesis WHAT --program RIMPACT --output DIR [--records DIR] [--jobs N] [--cheap] [--json]: list, headlines, one figure or table, or all."""
 import argparse
 import json
 import os
@@ -15,6 +15,7 @@ def main(arguments: list[str]) -> None:
     parser.add_argument("--program", required=True)
     parser.add_argument("--output", required=True)
     parser.add_argument("--records", default=os.environ.get("RIMPACT_RECORDS", "."))
+    parser.add_argument("--jobs", type=int, default=0, help="runs side by side (0: one a core)")
     for flag in ("--cheap", "--json", "--quiet"):
         parser.add_argument(flag, action="store_true")
     options = parser.parse_args(arguments)

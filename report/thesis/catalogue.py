@@ -27,7 +27,8 @@ SHAPE = {
     "run": {"*": {"command": [TEXT], "kept": TEXT, "json": FLAG, "seconds": NUMBER, "heavy": FLAG, "records": [TEXT]}},
     "entry": [{**texts("id section title state command differs"), "also": [TEXT], "records": [TEXT], "columns": NUMBER,
                "panel": [PANEL], "number": [NUMBER_SHAPE],
-               "table": [{"columns": [TEXT], "paths": [TEXT], "factors": [NUMBER], "within": [NUMBER], "resolved": [NUMBER], "units": [TEXT], "causes": [TEXT],
+               "table": [{"cause": [{**texts("of run path cause"), "rows": [TEXT]}],
+                          "columns": [TEXT], "paths": [TEXT], "factors": [NUMBER], "within": [NUMBER], "resolved": [NUMBER], "units": [TEXT], "causes": [TEXT],
                           "row": [{"label": TEXT, "run": TEXT, "without": TEXT, "printed": [NUMBER]}]}]}],
 }
 
@@ -178,12 +179,13 @@ def _entry(data: dict[str, Any], runs: dict[str, Run]) -> Entry:
 
 
 def _numbers_of(table: dict[str, list[Any]]) -> Iterator[Number]:
-    """A table's numbers, row by row: every column has a path, a factor, a bound and a cause of its own."""
+    """A table's numbers, row by row: every column has a path, a factor, a bound and a cause of its own. A [[entry.table.cause]] gives the numbers
+    of some rows of a column another cause, with the run that is without it and, where it is read elsewhere there, the path."""
     n = len(table["columns"])
     of = lambda key, default: table.get(key, [default] * n)
     for row in table["row"]:
-        for k in range(n):
-            yield Number(f"{table['columns'][k]}, {row['label']}", row["printed"][k], of("units", "")[k],
-                         f"{row['run']}:{table['paths'][k]}", of("factors", 1.0)[k], of("within", None)[k],
-                         of("resolved", 0.0)[k], cause=of("causes", "")[k],
-                         without=f"{row['without']}:{table['paths'][k]}" if "without" in row else "")
+        for k, column in enumerate(table["columns"]):
+            cause = next((c for c in table.get("cause", []) if c["of"] == column and row["label"] in c["rows"]), None)
+            without = f"{cause['run']}:{cause.get('path', table['paths'][k])}" if cause else f"{row['without']}:{table['paths'][k]}" if "without" in row else ""
+            yield Number(f"{column}, {row['label']}", row["printed"][k], of("units", "")[k], f"{row['run']}:{table['paths'][k]}", of("factors", 1.0)[k],
+                         of("within", None)[k], of("resolved", 0.0)[k], cause=cause["cause"] if cause else of("causes", "")[k], without=without)

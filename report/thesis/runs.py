@@ -1,26 +1,28 @@
 """Runs of the catalogue: made by rimpact's own verbs as child processes, kept once done, read by the figures and numbers."""
 import json
 import os
+import subprocess
 import sys
 from typing import Any
 
-from ..child import run_child
 from ..data_files import read_any_json
 from ..errors import DataError
 from ..files import write_whole
 from ..run_folder import Run, load_run
+from ..side_by_side import cores_to_use, run_side_by_side
 from . import derived
 from .catalogue import FOLDER, Catalogue, Number
 
 
 class Runs:
-    """`folder`: where they are kept, a folder each. `cheap`: heavy ones are read where they are kept, never made."""
+    """`folder`: where they are kept, a folder each. `cheap`: heavy ones are read where they are kept, never made. `jobs`: so many of the others
+    run side by side; 0: as many as there are cores."""
 
-    def __init__(self, catalogue: Catalogue, program: str, folder: str, records: str, cheap: bool = False, quiet: bool = False) -> None:
+    def __init__(self, catalogue: Catalogue, program: str, folder: str, records: str, cheap: bool = False, quiet: bool = False, jobs: int = 0) -> None:
         self.catalogue, self.program, self.folder, self.records = catalogue, program, folder, records
-        self.cheap, self.quiet = cheap, quiet
-        self.missing: dict[str, str] = {}
-        self._read: dict[str, Run] = {}  #: name: the sentence why it is not there
+        self.cheap, self.quiet, self.jobs = cheap, quiet, jobs or cores_to_use()
+        self.missing: dict[str, str] = {}  #: name: the sentence why it is not there
+        self._read: dict[str, Run] = {}
 
     def place(self, name: str) -> str:
         run = self.catalogue.runs[name]
@@ -35,16 +37,27 @@ class Runs:
 
     def make(self, name: str) -> bool:
         """Whether the run is there, made now if it must be."""
+        self.make_all([name])
+        return name not in self.missing
+
+    def make_all(self, names: list[str]) -> None:
+        """Those that can be made and are not there yet: heavy ones, which take all cores, one by one, the others side by side, the longest first."""
+        waiting = sorted((name for name in dict.fromkeys(names) if self._is_wanted(name)), key=lambda name: -self.catalogue.runs[name].seconds)
+        for heavy, at_once in ((False, self.jobs), (True, 1)):
+            commands = {name: self._whole(name) for name in waiting if self.catalogue.runs[name].heavy == heavy}
+            for name, done in run_side_by_side(commands, at_once, self._begin):
+                self._end(name, done)
+
+    def _is_wanted(self, name: str) -> bool:
+        """Whether it is to be made and can be; where it cannot, `missing` says why."""
         run = self.catalogue.runs[name]
         if run.kept or name in self.missing or self._is_done(name):
-            return name not in self.missing
+            return False
         absent = [file for file in run.records if not os.path.isfile(os.path.join(self.records, file))]
         if absent:
             self.missing[name] = f"{name} needs {', '.join(absent)} in {self.records} (--records DIR)"
         elif run.heavy and self.cheap:
             self.missing[name] = f"{name} takes some {_duration(run.seconds)}: run without --cheap"
-        else:
-            self._start(name)
         return name not in self.missing
 
     def _is_done(self, name: str) -> bool:
@@ -52,17 +65,21 @@ class Runs:
         noted = os.path.join(self.place(name), "command.json")
         return os.path.isfile(noted) and read_any_json(noted) == self.words(name)
 
-    def _start(self, name: str) -> None:
-        place, run = self.place(name), self.catalogue.runs[name]
-        os.makedirs(place, exist_ok=True)
-        words = [self.program, *self.words(name), *(["--json"] if run.json else ["-o", place, "--force", "--quiet"])]
+    def _whole(self, name: str) -> list[str]:
+        end = ["--json"] if self.catalogue.runs[name].json else ["-o", self.place(name), "--force", "--quiet"]
+        return [self.program, *self.words(name), *end]
+
+    def _begin(self, name: str) -> None:
+        os.makedirs(self.place(name), exist_ok=True)
         if not self.quiet:
-            print(f"{name}: rimpact {' '.join(words[1:])}", file=sys.stderr)
-        done = run_child(words)
+            print(f"{name}: rimpact {' '.join(self._whole(name)[1:])}", file=sys.stderr)
+
+    def _end(self, name: str, done: subprocess.CompletedProcess[str]) -> None:
+        place = self.place(name)
         if done.returncode != 0:
             self.missing[name] = f"{name} ended with {done.returncode}: {(done.stderr.strip().splitlines() or ['no word'])[-1]}"
             return
-        if run.json:
+        if self.catalogue.runs[name].json:
             _write(os.path.join(place, "output.json"), json.loads(done.stdout))
         _write(os.path.join(place, "command.json"), self.words(name))
 

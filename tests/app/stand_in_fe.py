@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 """Stands in for rimpact-fe in the tests of `main`: the reduced model with a pair the test knows, in no time. Of the
 finite elements it says nothing. Environment: STAND_IN_FAIL (a run's name that stops, or *), STAND_IN_SLEEP (seconds a run takes),
-STAND_IN_REFUSE (set: no checkpoint is taken), STAND_IN_LOG (a file that lists the command lines), STAND_IN_TRACE (a file that lists begins and ends), STAND_IN_DOUBT
-(a run's name whose summary warns)."""
+STAND_IN_REFUSE (set: no checkpoint is taken), STAND_IN_LOG (a file that lists the command lines, of curves with the threads they may take),
+STAND_IN_TRACE (a file that lists begins and ends), STAND_IN_DOUBT (a run's name whose summary warns)."""
 import json
 import os
 import subprocess
@@ -66,7 +66,7 @@ def curve(arguments: list[str]) -> int:
     scene, folder = arguments[1], arguments[arguments.index("-o") + 1]
     if "STAND_IN_LOG" in os.environ:
         with open(os.environ["STAND_IN_LOG"], "a") as log:
-            log.write(" ".join(arguments) + "\n")
+            log.write(" ".join([*arguments, "threads", os.environ.get("RIMPACT_THREADS", "all")]) + "\n")
     if os.environ.get("STAND_IN_FAIL") == os.path.basename(folder):
         print("error: the curve stopped because the test asked for it", file=sys.stderr)
         return 4

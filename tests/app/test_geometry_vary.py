@@ -2,6 +2,7 @@
 import csv
 import json
 import os
+import shutil
 import tempfile
 import unittest
 
@@ -59,6 +60,14 @@ class Vary(unittest.TestCase):
         lower = self.geometry(*LOAD, *ASKED, "--target", f"peak_kN={0.9 * most}", "--no-proof", "--json")  # another target, the same curves
         self.assertLess(json.loads(lower.stdout)["answer"]["design"][0], design)
         self.assertEqual(self.calls("curve"), 3)
+
+    def test_a_rim_pushed_last_and_alone_has_all_cores(self):
+        for n, jobs, expected in ((3, 2, ["1", "1", "all"]), (2, 2, ["1", "1"])):
+            with self.subTest(n=n, jobs=jobs):
+                self.geometry(*LOAD, "--vary", f"rim.thickness_mm=20:80:{n}", "--at", "speed=0.4", "--no-proof", "--jobs", str(jobs), "--force")
+                with open(self.log) as file:
+                    self.assertEqual(sorted(line.split()[-1] for line in file), expected)
+                os.remove(self.log), shutil.rmtree(self.folder)
 
     def test_a_lower_force_is_a_liners(self):
         run = self.geometry(*LOAD, *ASKED, "--target", "peak_kN=600", "--crush", "0.7", "--no-proof", "--json")

@@ -150,7 +150,16 @@ class Reliability(unittest.TestCase):
         plan = json.loads(done.stdout)
         self.assertEqual((plan["n_runs"], plan["n_motions"], plan["n_listed"]), (18, 3, 4))
         self.assertGreater(plan["core_hours"], 0)
+        once = json.loads(self.run_study("--dry-run", "--json", "--samples", "1").stdout)
+        self.assertEqual(once["n_runs"], 6)
         self.assertFalse(os.path.exists(self.path("out")))
+
+    def test_samples_of_a_study_that_draws_none_are_refused(self):
+        head, tail = HEAD.split("[latin_hypercube]")
+        self.write("study.toml", head + tail[tail.index("[[difference]]"):])
+        done = self.run_study("--samples", "2")
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn("latin_hypercube.samples", done.stderr)
 
     def test_refusals(self):
         cases = [("study.toml", HEAD.replace("[[limit]]", "[[limits]]"), 2, "limits"),
