@@ -44,6 +44,8 @@ class _Child:
 def run_side_by_side(commands: dict[str, list[str]], at_once: int, on_start: Callable[[str], None]) -> Iterator[tuple[str, subprocess.CompletedProcess[str]]]:
     """Starts them in their order, `at_once` >= 1 at a time, and gives each, by name, once it has ended. Raises KeyboardInterrupt where this program
     or one of them was interrupted; the others have then been interrupted and have ended."""
+    if at_once < 1:
+        raise ValueError(f"{at_once} runs at a time: at least 1")
     waiting, running = list(commands), dict[str, _Child]()
     try:
         while waiting or running:

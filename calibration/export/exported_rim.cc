@@ -90,8 +90,8 @@ Source pair_of(const StoredAnswer &answer, const std::string &file) {
   return {.law = law, .file = file, .path = "answer.pair", .mass = pair.mass};
 }
 
-/// What was fitted, and beside it what the law reads as rimpact's defaults.
-StoredElement element_of(const scene::StoredRankedLaw &row) {
+/// What was fitted, and beside it what the law reads as rimpact's defaults. Throws DataError for another unit.
+StoredElement element_of(const scene::StoredRankedLaw &row, const std::string &file) {
   const laws::ImpactLaw &law = laws::impact_law(row.law);
   const scene::Scene defaults;
   StoredElement element;
@@ -99,6 +99,10 @@ StoredElement element_of(const scene::StoredRankedLaw &row) {
     for (const auto &name : *names) {
       const auto fitted = row.parameters.find(name);
       const Parameter &p = parameter(name);
+      const std::string unit = fitted == row.parameters.end() ? "" : fitted->second.unit;
+      if (!unit.empty() && unit != p.unit)
+        throw DataError(fmt::format("{}: laws.rows, {}: parameters.{}.unit is \"{}\", not \"{}\"", file,
+                                    plain_text(row.law), name, plain_text(unit), p.unit));
       if (fitted == row.parameters.end())
         element.numbers[name] = p.get(defaults) / p.si;
       else if (fitted->second.value)
@@ -122,7 +126,7 @@ Source ranked(const StoredCalibration &calibration, const std::string &name) {
         .sentence = row.sentence,
         .belongs_to = laws::impact_law(name).of_mass ? scene::BelongsTo::mass : scene::BelongsTo::rim,
         .parameters = row.parameters,
-        .element = element_of(row),
+        .element = element_of(row, calibration.file),
         .fitted_from = answered.fitted_from,
         .fitted_to = answered.fitted_to,
         .valid_from = row.valid_from,

@@ -29,10 +29,13 @@ NonlinearElimination::NonlinearElimination(const Solid &solid, const Equations &
 NonlinearElimination::Block NonlinearElimination::block(const Stand &stand) const {
   constexpr std::size_t most_equations = 600;                 // the block's tangent is dense
   constexpr double smallest_share = 0.1, largest_share = 0.5; // of the largest residual: those are the block's cells
-  const double largest = stand.residual.cwiseAbs().maxCoeff();
+  Eigen::VectorXd moving = stand.residual.cwiseAbs();
+  for (const int e : stand.held)
+    if (e >= 0) moving[e] = 0;
+  const double largest = moving.maxCoeff();
   for (double share = smallest_share; share < largest_share; share *= 1.5) {
     Block result{{}, {}, std::vector<int>(equations_.n, -1)};
-    const auto heavy = [&](int e) { return e >= 0 && std::abs(stand.residual[e]) > share * largest; };
+    const auto heavy = [&](int e) { return e >= 0 && moving[e] > share * largest; };
     for (const auto &cell : equations_of_cell_)
       if (std::ranges::any_of(cell, heavy)) result.equations.insert(result.equations.end(), cell.begin(), cell.end());
     auto &all = result.equations;
@@ -79,7 +82,7 @@ bool NonlinearElimination::solve(Eigen::VectorXd &u, const Stand &stand) const {
   const Eigen::VectorXd start = u(block.equations);
   Eigen::VectorXd residual = stand.residual(block.equations), forces, solid_start;
   Eigen::MatrixXd stiffness;
-  if (!assemble(block, u, stand, solid_start, stiffness)) return false;
+  if (ranks().any(!assemble(block, u, stand, solid_start, stiffness))) return false;
   const Eigen::VectorXd residual_start = residual;
   const Eigen::MatrixXd others = stand.tangent.block(block.equations) - stiffness;
   const double before = residual.norm();

@@ -31,12 +31,12 @@ def make(context: Context) -> Section | None:
 
 def _work(runs: list[tuple[str, Run]]) -> dict[str, Any] | None:
     """What the solver did, counted: the same on every machine."""
-    keys = ("newton_iterations", "backtracks", "linear_iterations", "factorisations", "augmentations", "steps_not_taken")
+    keys = ("newton_iterations", "backtracks", "eliminations", "linear_iterations", "factorisations", "augmentations", "steps_not_taken")
     rows = [[name, integer(run.summary.get("n_steps")), *(integer(run.summary["solver_work"].get(key)) for key in keys)]
             for name, run in runs if isinstance(run.summary.get("solver_work"), dict)]
     if not rows:
         return None
-    return table(["run", "steps", "Newton", "shortened", "GMRES", "factors", "augmentations", "steps not taken"], rows,
+    return table(["run", "steps", "Newton", "shortened", "eliminated", "GMRES", "factors", "augmentations", "steps not taken"], rows,
                  caption="Work of the finite-element solver, in counts that no machine changes; a step of it each stands in response.h5.")
 
 

@@ -178,10 +178,23 @@ def _entry(data: dict[str, Any], runs: dict[str, Run]) -> Entry:
     return entry
 
 
+def _require_known(table: dict[str, list[Any]]) -> None:
+    """Every number that a cause names is there, and has no other cause."""
+    labels, caused = {row["label"] for row in table["row"]}, set()
+    for cause in table.get("cause", []):
+        for named in ((cause["of"], row) for row in cause["rows"]):
+            if named[0] not in table["columns"] or named[1] not in labels:
+                raise DataError(f"data/thesis: a cause is given to {', '.join(named)}, which the table has not")
+            if named in caused:
+                raise DataError(f"data/thesis: {', '.join(named)} has two causes")
+            caused.add(named)
+
+
 def _numbers_of(table: dict[str, list[Any]]) -> Iterator[Number]:
     """A table's numbers, row by row: every column has a path, a factor, a bound and a cause of its own. A [[entry.table.cause]] gives the numbers
     of some rows of a column another cause, with the run that is without it and, where it is read elsewhere there, the path."""
     n = len(table["columns"])
+    _require_known(table)
     of = lambda key, default: table.get(key, [default] * n)
     for row in table["row"]:
         for k, column in enumerate(table["columns"]):

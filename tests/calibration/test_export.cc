@@ -38,6 +38,20 @@ TEST(SelfCheck, IntegratorMeetsClosedForms) {
   EXPECT_NEAR(m * std::pow(0.5 * dent.rebound, 2) / 2 / spring.returned(dent.penetration), 1, 1e-3);
 }
 
+TEST(ExportedRim, TakesARankedLawInItsUnitsOnly) {
+  auto calibration = answer_fixture();
+  EXPECT_DOUBLE_EQ(exported_rim(stored(calibration), {.law = "no-tension", .mass = {}}).settings.k_i, 4.5e8);
+  calibration["laws"]["rows"][0]["parameters"]["k_i"]["unit"] = "N/m";
+  try {
+    exported_rim(stored(calibration), {.law = "no-tension", .mass = {}});
+    FAIL() << "nothing was thrown";
+  } catch (const DataError &error) {
+    EXPECT_NE(std::string(error.what()).find("laws.rows, no-tension: parameters.k_i.unit is \"N/m\", not \"kN/m\""),
+              std::string::npos)
+        << error.what();
+  }
+}
+
 /// An exported law ends at the fastest run whose foot bears it; where none does there is none.
 TEST(ExportedRim, EndsWhereTheRimsFootGoes) {
   auto calibration = answer_fixture();

@@ -119,6 +119,17 @@ class Values(InFolder):
             with self.assertRaisesRegex(DataError, needle):
                 catalogues.load(self.folder)
 
+    def test_a_cause_of_no_number_and_a_second_one_are_refused(self):
+        table = ('[[entry]]\nid = "x"\ntitle = "t"\nstate = "done"\n[[entry.table]]\ncolumns = ["force"]\npaths = ["peak"]\n'
+                 '[[entry.table.row]]\nlabel = "a"\nrun = "r"\nprinted = [1]\n[run.r]\ncommand = ["run"]\n')
+        cause = '[[entry.table.cause]]\nof = "{}"\nrows = ["{}"]\nrun = "r"\ncause = "c"\n'
+        head, runs = table[:table.index("[run.r]")], table[table.index("[run.r]"):]
+        for causes, needle in ((cause.format("depth", "a"), "depth, a, which the table has not"), (cause.format("force", "b"), "force, b, which"),
+                               (2 * cause.format("force", "a"), "force, a has two causes")):
+            self.write("c.toml", head + causes + runs)
+            with self.assertRaisesRegex(DataError, needle):
+                catalogues.load(self.folder)
+
     def test_spectrum_of_a_step_and_of_a_slow_record(self):
         periods = np.array([0.2, 1.0])
         step = pseudo_acceleration(0.01, np.ones(1000), periods, 1e-6)  # an undamped oscillator under a step: twice the static
