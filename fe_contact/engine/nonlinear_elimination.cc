@@ -76,7 +76,7 @@ bool NonlinearElimination::assemble(const Block &block, const Eigen::VectorXd &u
 
 bool NonlinearElimination::solve(Eigen::VectorXd &u, const Stand &stand) const {
   constexpr int most_iterations = 4, most_halvings = 3;
-  constexpr double enough = 0.1; // of the residual, left in the block
+  constexpr double enough = 0.02; // of the residual, left in the block
   const Block block = this->block(stand);
   if (block.size() == 0) return false;
   const Eigen::VectorXd start = u(block.equations);

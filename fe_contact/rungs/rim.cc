@@ -41,7 +41,7 @@ StepOptions rim_steps() {
   options.newton.finest_forcing = 1e-6;
   options.newton.first_forcing = 1e-3;
   options.newton.eliminates = true; // thin cells of the slider's edge
-  options.gap_tolerance = options.slip_tolerance = 2e-5;
+  options.gap_tolerance = options.slip_tolerance = 3e-5;
   options.max_augmentations = 3;
   options.expects = true;
   return options;

@@ -117,7 +117,7 @@ std::optional<double> backtrack(NewtonTarget &target, Eigen::VectorXd &u, const 
 /// A change that leaves much of the residual has met what bends, mostly in a few equations: these are solved by
 /// themselves before the next change of all. Returns the residual reached.
 double eliminate(NewtonTarget &target, Eigen::VectorXd &u, double before, double reached, double tolerance) {
-  constexpr double much = 0.02, far = 10; // of the residual before; tolerances
+  constexpr double much = 0.1, far = 10; // of the residual before; tolerances
   if (!target.has_tangent || reached < much * before || reached < far * tolerance) return reached;
   const Eigen::VectorXd start = u;
   if (!target.eliminate(u)) return reached;

@@ -14,10 +14,11 @@ from flights import Hit
 
 REFERENCES = pathlib.Path(__file__).parents[2] / "data/references"
 STACK = {"finite_pad": True, "socket_friction": True, "friction": "park-wen", "elastic_slip_mm": 0.18, "elastic_slip_from": "fit"}
+PAIR = {"k_i": {"value": 450000, "unit": "kN/m"}, "e": {"value": 0.5, "unit": "-"}}
 LAWS: dict[str, dict[str, Any]] = {
-    "elastoplastic": {}, "bilinear": {"k_i": {"value": 1.0e6}, "yield_force": {"value": 600}, "hardening": {"value": 0.15}},
-    "signed": {"k_i": {"value": 450000}, "e": {"value": 0.5}}, "no-tension": {"k_i": {"value": 450000}, "e": {"value": 0.5}},
-    "hunt-crossley": {"k_i": {"value": 450000}, "e": {"value": 0.5}, "exponent": {"value": 1.5}}}
+    "elastoplastic": {},
+    "bilinear": {"k_i": {"value": 1.0e6, "unit": "kN/m"}, "yield_force": {"value": 600, "unit": "kN"}, "hardening": {"value": 0.15, "unit": "-"}},
+    "signed": PAIR, "no-tension": PAIR, "hunt-crossley": {**PAIR, "exponent": {"value": 1.5, "unit": "-"}}}
 SAMPLE = 1e-3  # of ground motions [s]
 JOINT = flights.ANCHOR + 7
 

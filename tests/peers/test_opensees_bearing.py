@@ -88,7 +88,7 @@ class Bearing(Exported):
         self.assertLessEqual(LAWS.keys(), catalogue.keys())
         for law in catalogue.keys() - LAWS.keys():
             with self.subTest(law=law), tempfile.TemporaryDirectory() as folder:
-                everything = {"e": {"value": 0.5}, "exponent": {"value": 1.5}}
+                everything = {"e": {"value": 0.5, "unit": "-"}, "exponent": {"value": 1.5, "unit": "-"}}
                 content = calibration(identity=self.rim, name=law, element={**ELEMENT, **everything}, belongs_to="rim", mass_kg=86952.0)
                 write(folder, content)
                 run = rimpact("export", folder, "--opensees", "--quiet", "--scene", "shfps-225")
