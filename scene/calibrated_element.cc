@@ -19,16 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Keys of a law's numbers, by the name that calibrations give them.
-const std::map<std::string, std::string> &number_keys() {
-  static const auto all = [] {
-    std::map<std::string, std::string> list{{"capacity_offset", "capacity_offset_mm"}};
-    for (const auto &p : laws::law_parameters()) list[p.name] = p.key;
-    return list;
-  }();
-  return all;
-}
-
 /// What a calibration says, as values of keys of [reduced].
 struct Element {
   std::string origin;                        ///< the file read
@@ -64,7 +54,7 @@ StackTerms terms_of(const StoredStack &stack) {
 void take_answer(const StoredAnswer &answer, Element &element) {
   const StoredLaw &law = answer.law;
   element.text("impact_law", law.name);
-  for (const auto &[name, value] : law.element.numbers) element.number(number_keys().at(name), value);
+  for (const auto &[name, value] : law.element.numbers) element.number(element_numbers().at(name).key, value);
   element.number("reference_speed_m_per_s", law.element.reference_speed);
   element.capacity = law.element.lateral_capacity;
   element.number("fitted_from_m_per_s", law.fitted_from), element.number("fitted_to_m_per_s", law.fitted_to);
@@ -181,7 +171,7 @@ void take_one_rim(const TomlFile &file, Element &element) {
 const std::vector<std::string> &element_keys() {
   static const std::vector<std::string> keys = [] {
     std::vector<std::string> list{"impact_law", "reference_speed_m_per_s"};
-    for (const auto &[name, key] : number_keys()) list.emplace_back(key);
+    for (const auto &[name, number] : element_numbers()) list.emplace_back(number.key);
     for (const char *key : {"fitted_from_m_per_s", "fitted_to_m_per_s", "fitted_mass_kg", "fitted_speeds_mass_kg",
                             "fitted_rim", "foot_joint", "foot_force_kN", "taken_from"})
       list.emplace_back(key);

@@ -4,18 +4,17 @@
 #include <fmt/format.h>
 
 namespace rimpact::scene {
-namespace {
 
-/// Of a parameter of the element; none: this version knows no such parameter.
-std::optional<std::string> unit_of(const std::string &name) {
-  static const auto units = [] {
-    std::map<std::string, std::string> all{{"capacity_offset", "mm"}};
-    for (const auto &p : laws::law_parameters()) all[p.name] = p.unit;
+const std::map<std::string, ElementNumber> &element_numbers() {
+  static const auto numbers = [] {
+    std::map<std::string, ElementNumber> all{{"capacity_offset", {"mm", "capacity_offset_mm"}}};
+    for (const auto &p : laws::law_parameters()) all[p.name] = {p.unit, p.key};
     return all;
   }();
-  const auto known = units.find(name);
-  return known == units.end() ? std::nullopt : std::optional(known->second);
+  return numbers;
 }
+
+namespace {
 
 struct NumberWithUnit {
   double value = 0;
@@ -38,13 +37,14 @@ template <class V> void visit_places(V &v, StoredElement &element) {
 void visit(const JsonReader &v, StoredElement &element) {
   visit_places(v, element);
   for (const auto &[name, entry] : v.object().items()) {
-    const auto unit = unit_of(name);
-    if (!unit && !entry.is_object()) continue; // lateral_capacity_m and the like
-    if (!unit) v.fail(v.path_of(name), "is no parameter that this version knows");
+    const auto known = element_numbers().find(name);
+    const bool is_known = known != element_numbers().end();
+    if (!is_known && !entry.is_object()) continue; // lateral_capacity_m and the like
+    if (!is_known) v.fail(v.path_of(name), "is no parameter that this version knows");
     NumberWithUnit number;
     v.needed(name.c_str(), number);
-    if (number.unit != *unit)
-      v.fail(v.path_of(name) + ".unit", fmt::format("is \"{}\", not \"{}\"", number.unit, *unit));
+    if (const std::string &unit = known->second.unit; number.unit != unit)
+      v.fail(v.path_of(name) + ".unit", fmt::format("is \"{}\", not \"{}\"", number.unit, unit));
     element.numbers[name] = number.value;
   }
 }
@@ -52,7 +52,7 @@ void visit(JsonWriter &v, StoredElement &element) {
   visit_places(v, element);
   if (!element.reference_speed) v.object.erase("reference_speed_m_per_s");
   for (const auto &[name, value] : element.numbers)
-    v(name.c_str(), NumberWithUnit{.value = value, .unit = unit_of(name).value()});
+    v(name.c_str(), NumberWithUnit{.value = value, .unit = element_numbers().at(name).unit});
 }
 
 template <class V> void visit(V &v, StoredWorst &worst) {
@@ -122,9 +122,7 @@ template <class V> void visit(V &v, StoredAnswer &a) {
 }
 
 nlohmann::json to_json(const StoredParameters &parameters) {
-  nlohmann::json all = nlohmann::json::object();
-  for (const auto &[name, parameter] : parameters) all[name] = json_of(parameter);
-  return all;
+  return json_of(parameters);
 }
 
 nlohmann::json to_json(const StoredGain &gain) {

@@ -46,6 +46,13 @@ struct StoredElement {
   bool operator==(const StoredElement &) const = default;
 };
 
+/// What calibrations call a number of the element: its unit, and its key of [reduced].
+struct ElementNumber {
+  std::string unit, key;
+};
+/// By name.
+const std::map<std::string, ElementNumber> &element_numbers();
+
 /// Largest errors on runs left out, absolute relative [-].
 struct StoredWorst {
   std::optional<double> peak_force = {}, penetration = {}, rebound = {};

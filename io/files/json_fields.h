@@ -96,6 +96,7 @@ public:
   }
 
 private:
+  template <class T> friend nlohmann::json json_of(const T &value);
   using json = nlohmann::json;
   static json made(double value);
   static json made(int value) { return value; }
@@ -123,12 +124,9 @@ private:
   }
 };
 
-/// The object of a struct that has a `visit`.
+/// The JSON of a struct that has a `visit`, or of anything that is made of such.
 template <class T> nlohmann::json json_of(const T &value) {
-  JsonWriter writer;
-  T copy = value;
-  visit(writer, copy);
-  return writer.object;
+  return JsonWriter::made(value);
 }
 
 } // namespace rimpact

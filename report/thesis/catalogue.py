@@ -178,27 +178,27 @@ def _entry(data: dict[str, Any], runs: dict[str, Run]) -> Entry:
     return entry
 
 
-def _require_known(table: dict[str, list[Any]]) -> None:
-    """Every number that a cause names is there, and has no other cause."""
-    labels, caused = {row["label"] for row in table["row"]}, set()
+def _causes_of(table: dict[str, list[Any]]) -> dict[tuple[str, str], dict[str, Any]]:
+    """The [[entry.table.cause]] of a number, by its column and its row's label: every number named is there, and has one."""
+    labels, causes = {row["label"] for row in table["row"]}, dict[tuple[str, str], dict[str, Any]]()
     for cause in table.get("cause", []):
         for named in ((cause["of"], row) for row in cause["rows"]):
             if named[0] not in table["columns"] or named[1] not in labels:
                 raise DataError(f"data/thesis: a cause is given to {', '.join(named)}, which the table has not")
-            if named in caused:
+            if named in causes:
                 raise DataError(f"data/thesis: {', '.join(named)} has two causes")
-            caused.add(named)
+            causes[named] = cause
+    return causes
 
 
 def _numbers_of(table: dict[str, list[Any]]) -> Iterator[Number]:
     """A table's numbers, row by row: every column has a path, a factor, a bound and a cause of its own. A [[entry.table.cause]] gives the numbers
     of some rows of a column another cause, with the run that is without it and, where it is read elsewhere there, the path."""
-    n = len(table["columns"])
-    _require_known(table)
+    n, causes = len(table["columns"]), _causes_of(table)
     of = lambda key, default: table.get(key, [default] * n)
     for row in table["row"]:
         for k, column in enumerate(table["columns"]):
-            cause = next((c for c in table.get("cause", []) if c["of"] == column and row["label"] in c["rows"]), None)
+            cause = causes.get((column, row["label"]))
             without = f"{cause['run']}:{cause.get('path', table['paths'][k])}" if cause else f"{row['without']}:{table['paths'][k]}" if "without" in row else ""
             yield Number(f"{column}, {row['label']}", row["printed"][k], of("units", "")[k], f"{row['run']}:{table['paths'][k]}", of("factors", 1.0)[k],
                          of("within", None)[k], of("resolved", 0.0)[k], cause=cause["cause"] if cause else of("causes", "")[k], without=without)
