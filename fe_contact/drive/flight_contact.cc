@@ -110,7 +110,7 @@ FlightStep FlightRun::flight_step(const SolvedStep &step) const {
 Attempt FlightRun::assess(const SolvedStep &step) {
   constexpr double displacement_tolerance = 2e-6; // [m] a step
   constexpr double energy_tolerance = 1.5e-5;     // of the largest input, a step
-  constexpr StepControl control{.most_error = 4, .least_cut = 0.25, .most_growth = 1.6};
+  constexpr StepControl control{.most_error = 4, .least_cut = 0.25, .most_growth = 1.6, .most_of_a_jump = 20};
   const FlightStep flight = flight_step(step);
   energies_ = flight.energies(step.report);
   energies_.elastic += others_elastic_;
@@ -119,7 +119,7 @@ Attempt FlightRun::assess(const SolvedStep &step) {
   const double energy = std::abs(energies_.unbalanced(record_.ledger) + flight.work_of_dish()) /
                         (energy_tolerance * std::max(1.0, record_.ledger.largest_input));
   return control.assess(std::max(displacement, energy), step.dt, step.dt > finest * plan_.step_in_contact,
-                        arc().state.growth_hold > 0);
+                        arc().state.growth_hold > 0, step.refused);
 }
 
 void FlightRun::follow(const SolvedStep &step) {

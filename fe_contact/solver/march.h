@@ -10,12 +10,13 @@ struct StepLimits {
   double growth = 1.5;             ///< after an accepted step that suggests no other
 };
 
-/// What came of one attempt at a step. A rejected one may suggested_step a shorter step (else it is halved), an
-/// accepted one the next step's length (else it grows).
+/// What came of one attempt at a step. A rejected one may suggest a shorter step (else it is halved), an accepted one
+/// the next step's length (else it grows).
 struct Attempt {
   bool accepted = false;
   double suggested_step = 0; ///< 0: none
   std::string reason;
+  double error = 0;  ///< for which it was not accepted [tolerances]; 0: for something else
   bool last = false; ///< accepted, and the march is to end here
 };
 
