@@ -15,7 +15,7 @@ using namespace hdf5;
 namespace {
 
 constexpr std::size_t header_size = 512; // HDF5 looks for its beginning at 0, 512, 1024 ...
-constexpr const char *mark = "rimpact checkpoint, format 9\nsha256 ";
+constexpr const char *mark = "rimpact checkpoint, format 10\nsha256 ";
 
 std::string header_of(const std::string &body) {
   std::string header = mark + sha256(body) + "\n";

@@ -46,6 +46,7 @@ void visit(StateVisitor &v, SurfaceContactState &s) {
   v.codes("status", s.status, 0, last_status);
   v.codes("covered", s.covered, 0, 1);
   v.codes("opposite", s.opposite, -1, 1e7);
+  v.numbers("entry", s.entry, {0, 1});
   v.number("stiffening", s.stiffening, {1e-12, 1e12});
   bool has_change = !s.change.empty();
   v.flag("has_change", has_change);

@@ -43,6 +43,9 @@ struct SurfaceContactState {
   /// a point that crosses the edge sees the surface go on.
   std::vector<char> covered;
   std::vector<int> opposite;    ///< carrier face last found opposite, -1: none
+  /// Overlap with which a point came over a free edge [m], >= 0: what it bears is measured from there. It is given up
+  /// while the point slides by its own width, as the area that it stands for comes over the edge.
+  std::vector<double> entry;
   double stiffening = 1;        ///< factor on the stated penalties where augmentation alone was slow
   std::vector<double> change{}; ///< of the pressures over the last step [Pa]; empty: none yet
   void note_change(const std::vector<double> &pressures_before);
@@ -151,6 +154,8 @@ private:
   /// Relative position by the present opposite, else by the carrier's rough displacement.
   Eigen::Vector3d relative_position(std::size_t k, const Eigen::VectorXd &u, const SurfaceContactState &state) const;
   void update_active(const Eigen::VectorXd &u, SurfaceContactState &state) const;
+  /// The entry of a point whose cover is settled: `was`, whether it was covered before.
+  void settle_entry(std::size_t k, const Coupling *coupling, bool was, SurfaceContactState &state) const;
   /// Whether a point for which no face is found may be on the master's surface, judged by the face last opposite.
   bool is_candidate(std::size_t k, const Eigen::VectorXd &u, int opposite) const;
   /// The master's distance where a point is, on the deformed carrier. The gap's gradient by w, nu, has the length

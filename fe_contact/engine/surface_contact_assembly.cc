@@ -81,9 +81,10 @@ SurfaceContact::FaceResult SurfaceContact::assemble_face(std::size_t f, const Co
       continue;
     }
     state.opposite[k] = coupling->carrier_face;
-    const Carried distance = pushed_forward(*coupling);
+    Carried distance = pushed_forward(*coupling);
     state.gap[k] = distance.gap;
     report.smallest_gap = std::min(report.smallest_gap, distance.gap);
+    distance.gap += state.entry[k];
     if (state.multiplier[k] - law.normal_penalty * distance.gap <= 0) continue;
     Tangents D;
     const auto differentiated = coupling->carrier_face >= 0 ? differentiate<6> : differentiate<3>;
@@ -95,7 +96,7 @@ SurfaceContact::FaceResult SurfaceContact::assemble_face(std::size_t f, const Co
     state.status[k] = acts.status;
     report.force += point.area * acts.traction;
     report.friction += point.area * acts.friction;
-    report.penetration = std::max(report.penetration, std::abs(distance.gap));
+    report.penetration = std::max(report.penetration, std::abs(state.gap[k]));
     report.largest_pressure = std::max(report.largest_pressure, acts.pressure);
     ++(acts.status == ContactStatus::stick ? report.stick : report.slip);
     if (coupling->carrier_face >= 0 &&

@@ -2,6 +2,7 @@
 #include "fe_contact/engine/surface_contact.h"
 
 #include <algorithm>
+#include <cmath>
 #include <Eigen/QR>
 #include <stdexcept>
 
@@ -12,12 +13,24 @@ using Eigen::Vector3d;
 void SurfaceContact::update_active(const Eigen::VectorXd &u, SurfaceContactState &state) const {
   for (std::size_t k = 0; k < points_.size(); ++k) {
     const auto coupling = couple(k, u, state.opposite[k], 0.0);
+    const bool was = state.covered[k];
     state.covered[k] = coupling && coupling->inside;
+    settle_entry(k, coupling ? &*coupling : nullptr, was, state);
     state.opposite[k] = coupling ? coupling->carrier_face : -1;
     if (state.covered[k]) continue;
     state.multiplier[k] = 0;
     state.tangential[k].setZero();
   }
+}
+
+void SurfaceContact::settle_entry(std::size_t k, const Coupling *coupling, bool was, SurfaceContactState &state) const {
+  double &entry = state.entry[k];
+  if (!state.covered[k])
+    entry = 0;
+  else if (!was)
+    entry = std::max(0.0, -pushed_forward(*coupling).gap);
+  else if (entry > 0)
+    entry = std::clamp(-state.gap[k], 0.0, entry);
 }
 
 SurfaceContactState SurfaceContact::open(const Eigen::VectorXd &u) const {
@@ -30,8 +43,9 @@ SurfaceContactState SurfaceContact::open(const Eigen::VectorXd &u) const {
                             std::vector<Vector3d>(n, Vector3d::Zero()),
                             std::vector<Vector3d>(n, Vector3d::Zero()),
                             std::vector<ContactStatus>(n, ContactStatus::open),
-                            std::vector<char>(n, 0),
-                            std::vector<int>(n, -1)};
+                            std::vector<char>(n, 1), // what overlaps from the start bears
+                            std::vector<int>(n, -1),
+                            std::vector<double>(n, 0.0)};
   update_active(u, state);
   for (std::size_t k = 0; k < n; ++k) state.start.push_back(relative_position(k, u, state));
   return state;
@@ -119,7 +133,12 @@ void SurfaceContact::commit(const Eigen::VectorXd &u, SurfaceContactState &state
   state.tangential = next.tangential;
   if (normal == NextMultipliers::augmented) state.multiplier = next.multiplier;
   if (normal == NextMultipliers::none) std::fill(state.multiplier.begin(), state.multiplier.end(), 0.0);
-  for (std::size_t k = 0; k < points_.size(); ++k) state.start[k] = relative_position(k, u, state);
+  constexpr double entries_given_up = 2; // e-folds over a point's width
+  for (std::size_t k = 0; k < points_.size(); ++k) {
+    const Vector3d y = relative_position(k, u, state);
+    state.entry[k] *= std::exp(-entries_given_up * (y - state.start[k]).norm() / std::sqrt(points_[k].area));
+    state.start[k] = y;
+  }
   update_active(u, state);
 }
 

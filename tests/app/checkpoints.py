@@ -9,7 +9,7 @@ import numpy as np
 
 Numbers = dict[str, np.ndarray]
 HEADER = 512
-MARK = b"rimpact checkpoint, format 9\nsha256 "
+MARK = b"rimpact checkpoint, format 10\nsha256 "
 
 
 def reseal(path: str) -> None:
