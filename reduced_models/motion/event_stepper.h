@@ -15,6 +15,9 @@
 #include "reduced_models/motion/dormand_prince.h"
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace rimpact::reduced {
@@ -77,19 +80,37 @@ private:
     }
   }
 
+  /// A watch that is positive at the step's start, and its place.
+  struct Falling {
+    const Watch *watch;
+    double before;
+    int place;
+  };
+
   template <class Events> int first_of(const Events &events) {
-    int first = -1, place = 0;
-    for (const Watch &watch : events) {
-      const double after = system_.value_at_end(watch, step);
-      if (!(after > 0)) {
-        const double before = system_.value(watch, step.t, step.y0);
-        if (before > 0)
-          locate(watch, before, after), first = place;
-        else if (after < 0 && system_.begins_at_zero(watch))
-          first = holds_at_start(watch) ? place : -1; // what was found lies beyond the shortened step
+    std::vector<Falling> falling;
+    std::vector<char> seen(std::distance(events.begin(), events.end()), 0);
+    std::vector<std::pair<const Watch *, int>> at_zero; // or beyond it from the start
+    const auto look = [&] {
+      falling.clear();
+      for (int place = 0; const Watch &watch : events) {
+        if (!seen[place] && !(system_.value_at_end(watch, step) > 0)) {
+          seen[place] = 1;
+          const double before = system_.value(watch, step.t, step.y0);
+          if (before > 0)
+            falling.push_back({&watch, before, place});
+          else if (system_.begins_at_zero(watch))
+            at_zero.emplace_back(&watch, place);
+        }
+        ++place;
       }
-      ++place;
-    }
+      return !falling.empty();
+    };
+    int first = -1;
+    while (look()) first = locate_first(falling); // the shortened step may end where others have fallen for a while
+    for (const auto &[watch, place] : at_zero)
+      if (system_.value_at_end(*watch, step) < 0)
+        first = holds_at_start(*watch) ? place : -1; // what was found lies beyond the shortened step
     return first;
   }
 
@@ -104,23 +125,68 @@ private:
     return true;
   }
 
-  /// Shortens the step to the event, by steps of other lengths from its start (Illinois).
-  void locate(const Watch &watch, double f_low, double f_high) {
-    double low = 0, high = step.h;
-    int last_side = 0;
-    for (int i = 0; i < 100 && high - low > 1e-15 + 1e-16 * step.t; ++i) {
-      double h = (low * f_high - high * f_low) / (f_high - f_low);
-      if (!(h > low && h < high) || i % 12 == 11) h = (low + high) / 2;
-      try_step(h);
-      const double f = system_.value_at_end(watch, step);
-      if (f == 0) return;
+  /// The smallest of the values over those at the step's start, and whose it is.
+  template <class Value> std::pair<double, int> lowest(const std::vector<Falling> &falling, const Value &value) const {
+    std::pair<double, int> result{std::numeric_limits<double>::infinity(), -1};
+    for (const auto &[watch, before, place] : falling)
+      if (const double share = value(*watch) / before; !(share >= result.first)) result = {share, place};
+    return result;
+  }
+
+  /// A falling function's zero lies between; Illinois' rule, and now and then the middle.
+  struct Bracket {
+    double low, high, f_low, f_high;
+    int last_side = 0, n_guesses = 0;
+
+    double guess() {
+      const double h = (low * f_high - high * f_low) / (f_high - f_low);
+      return ++n_guesses % 12 && h > low && h < high ? h : (low + high) / 2;
+    }
+    void put(double h, double f) {
       const int side = f > 0 ? 1 : -1;
       (f > 0 ? low : high) = h;
       (f > 0 ? f_low : f_high) = f;
-      if (side == last_side) (f > 0 ? f_high : f_low) /= 2; // Illinois: halve the weight of the end that stays
+      if (side == last_side) (f > 0 ? f_high : f_low) /= 2; // the weight of the end that stays
       last_side = side;
     }
-    try_step(high);
+  };
+
+  /// Where the step's interpolant first has an event [s], to about a millionth of the step.
+  double first_of_interpolant(const std::vector<Falling> &falling) const {
+    const auto f = [&](double h) {
+      const Vector y = step.at(h / step.h);
+      return lowest(falling, [&](const Watch &watch) { return system_.value(watch, step.t + h, y); }).first;
+    };
+    Bracket zero{0, step.h, 1, f(step.h)};
+    while (zero.high - zero.low > 1e-7 * step.h && zero.f_high < 0 && zero.n_guesses < 40) {
+      const double h = zero.guess();
+      zero.put(h, f(h));
+    }
+    return zero.high;
+  }
+
+  /// Shortens the step to the first of the events, by steps of other lengths from its start: two about that of the
+  /// interpolant, then to rounding. Its place.
+  int locate_first(const std::vector<Falling> &falling) {
+    constexpr double about = 1e-6; // of the step: how far an interpolant errs
+    auto [f_high, first] = lowest_at_end(falling);
+    Bracket zero{0, step.h, 1, f_high};
+    const auto attempt = [&](double h) {
+      try_step(h);
+      const auto [f, place] = lowest_at_end(falling);
+      zero.put(h, f);
+      if (!(f > 0)) first = place;
+    };
+    const double whole = step.h, near = first_of_interpolant(falling);
+    for (const double h : {near + about * whole, near - about * whole})
+      if (h > zero.low && h < zero.high) attempt(h);
+    while (zero.high - zero.low > 1e-13 + 1e-16 * step.t && zero.f_high != 0 && zero.n_guesses < 100)
+      attempt(zero.guess());
+    if (step.h != zero.high) try_step(zero.high);
+    return first;
+  }
+  std::pair<double, int> lowest_at_end(const std::vector<Falling> &falling) const {
+    return lowest(falling, [&](const Watch &watch) { return system_.value_at_end(watch, step); });
   }
 
   System &system_;
