@@ -105,9 +105,14 @@ double integrator_loss(const ContactSystem &system, const StepTerms &terms, cons
          0.5 * (R_old + now.R).dot(du) - F.dot(du_absolute) + momentum.dot(now.v + 0.5 * carried);
 }
 
-NextMultipliers next_multipliers(const StepOptions &options, const ContactStepReport &report) {
-  if (options.max_augmentations == 0) return NextMultipliers::none;
-  return report.capped ? NextMultipliers::same : NextMultipliers::augmented;
+/// Of the multipliers' renewal that a step of this length takes.
+double renewed_share(const StepOptions &options, double dt) {
+  return options.renewal_time > 0 ? std::min(1.0, dt / options.renewal_time) : 1.0;
+}
+
+Renewal renewal(const StepOptions &options, const ContactStepReport &report, double share) {
+  if (options.max_augmentations == 0) return {NextMultipliers::none};
+  return {report.capped ? NextMultipliers::same : NextMultipliers::augmented, share};
 }
 
 } // namespace
@@ -116,7 +121,7 @@ ContactStepReport static_step(ContactSystem &system, SystemState &state, const S
                               const StepOptions &options, const Eigen::VectorXd &guess) {
   Eigen::VectorXd u = guess.size() ? guess : state.u;
   ContactStepReport report = solve(system, state, terms, options, u);
-  if (report.converged) system.commit(u, state, next_multipliers(options, report));
+  if (report.converged) system.commit(u, state, renewal(options, report, 1));
   return report;
 }
 
@@ -126,13 +131,14 @@ ContactStepReport time_step(ContactSystem &system, SystemState &state, const Ste
   if (terms.ground) follow_ground(inertia, system, *terms.ground);
   StepTerms in_time = terms;
   in_time.inertia = &inertia;
-  if (options.expects && state.last_dt > 0) in_time.expected = terms.dt / state.last_dt;
+  const double share = renewed_share(options, terms.dt);
+  if (options.expects && state.last_dt > 0) in_time.expected = share * terms.dt / state.last_dt;
   Eigen::VectorXd u = first_guess(state, terms, options.smooth);
   ContactStepReport report = solve(system, state, in_time, options, u);
   if (!report.converged) return report;
   report.multiplier = system.multiplier();
   const Eigen::VectorXd a = inertia.acceleration(u), du = u - state.u, da = a - state.a, R_old = state.R;
-  system.commit(u, state, next_multipliers(options, report));
+  system.commit(u, state, renewal(options, report, share));
   state.change_before = std::move(state.last_change);
   state.dt_before = state.last_dt;
   state.last_change = du;

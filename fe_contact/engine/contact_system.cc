@@ -237,14 +237,14 @@ bool ContactSystem::stiffen(double factor) {
   return any;
 }
 
-void ContactSystem::commit(const Eigen::VectorXd &u, SystemState &state, NextMultipliers normal) const {
+void ContactSystem::commit(const Eigen::VectorXd &u, SystemState &state, const Renewal &renewal) const {
   const Eigen::VectorXd displacements = equations_.expand(u);
   state.reports = trial_.reports;
   for (std::size_t i = 0; i < contacts_.size() && terms_->with_contact; ++i) {
     contacts_[i].add_work(state.contacts[i], trial_.contacts[i], displacements, state.reports[i]);
     const std::vector<double> pressure = state.contacts[i].pressure;
     state.contacts[i] = trial_.contacts[i];
-    contacts_[i].commit(displacements, state.contacts[i], normal);
+    contacts_[i].commit(displacements, state.contacts[i], renewal);
     state.contacts[i].note_change(pressure);
   }
   state.u = u;

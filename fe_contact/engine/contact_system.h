@@ -105,7 +105,7 @@ public:
   /// (stiffer ones over-constrain the faces, and stay when the steps are long again); false when none could be.
   bool stiffen(double factor);
   /// The trial, evaluated at u, becomes the state.
-  void commit(const Eigen::VectorXd &u, SystemState &state, NextMultipliers normal) const;
+  void commit(const Eigen::VectorXd &u, SystemState &state, const Renewal &renewal) const;
 
   Eigen::VectorXd expand(const SystemState &state) const { return equations_.expand(state.u); }
   Eigen::VectorXd translation(const Eigen::Vector3d &way) const;       ///< of all that is not held, by equation

@@ -42,7 +42,7 @@ struct SurfaceContactState {
   /// Opposite the master, not past its edge; settled once a step, so that Newton does not chatter: within a step
   /// a point that crosses the edge sees the surface go on.
   std::vector<char> covered;
-  std::vector<int> opposite;    ///< carrier face last found opposite, -1: none
+  std::vector<int> opposite; ///< carrier face last found opposite, -1: none
   /// Overlap with which a point came over a free edge [m], >= 0: what it bears is measured from there. It is given up
   /// while the point slides by its own width, as the area that it stands for comes over the edge.
   std::vector<double> entry;
@@ -54,6 +54,11 @@ struct SurfaceContactState {
 /// What the normal multipliers are for the next step: none (a penalty's conservative spring), those of the next
 /// augmentation, or those the step was solved with: where augmentation was broken off the next ones would be a jolt.
 enum class NextMultipliers { none, augmented, same };
+
+struct Renewal {
+  NextMultipliers normal = NextMultipliers::augmented;
+  double share = 1; ///< of the way to the augmented multipliers, in a step too short for the whole
+};
 
 struct SurfaceContactReport {
   Eigen::Vector3d force = Eigen::Vector3d::Zero();               ///< on the body [N]
@@ -102,7 +107,7 @@ public:
   void add_work(const SurfaceContactState &before, const SurfaceContactState &after, const Eigen::VectorXd &u,
                 SurfaceContactReport &report) const;
   /// Ends a step at u: friction becomes the multiplier, positions the next step's start.
-  void commit(const Eigen::VectorXd &u, SurfaceContactState &state, NextMultipliers normal) const;
+  void commit(const Eigen::VectorXd &u, SurfaceContactState &state, const Renewal &renewal) const;
 
   /// Mean stiffness of the faces' nodes over their area [Pa/m], from the diagonal of the solid's stiffness (of this
   /// rank).

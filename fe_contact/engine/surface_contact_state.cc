@@ -128,11 +128,13 @@ void SurfaceContact::add_work(const SurfaceContactState &before, const SurfaceCo
   }
 }
 
-void SurfaceContact::commit(const Eigen::VectorXd &u, SurfaceContactState &state, NextMultipliers normal) const {
+void SurfaceContact::commit(const Eigen::VectorXd &u, SurfaceContactState &state, const Renewal &renewal) const {
   const Augmentation next = augmentation(state);
   state.tangential = next.tangential;
-  if (normal == NextMultipliers::augmented) state.multiplier = next.multiplier;
-  if (normal == NextMultipliers::none) std::fill(state.multiplier.begin(), state.multiplier.end(), 0.0);
+  if (renewal.normal == NextMultipliers::none) std::fill(state.multiplier.begin(), state.multiplier.end(), 0.0);
+  if (renewal.normal == NextMultipliers::augmented)
+    for (std::size_t k = 0; k < points_.size(); ++k)
+      state.multiplier[k] += renewal.share * (next.multiplier[k] - state.multiplier[k]);
   constexpr double entries_given_up = 2; // e-folds over a point's width
   for (std::size_t k = 0; k < points_.size(); ++k) {
     const Vector3d y = relative_position(k, u, state);

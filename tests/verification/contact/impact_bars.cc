@@ -170,7 +170,7 @@ Table signorini_bar() {
     const fe::StepTerms terms{none};
     system.prepare(state, terms); // the compressed bar's energies, before it is let go
     system.evaluate(state.u, true);
-    system.commit(state.u, state, fe::NextMultipliers::none);
+    system.commit(state.u, state, {fe::NextMultipliers::none});
     double square = 0, stress = 0, stress_time = 0, before = 0, energy = 0;
     fe::MotionOptions options = transient(h / 4, 1e-3, 0.8);
     options.smallest_step = h / 64;
