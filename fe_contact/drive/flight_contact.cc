@@ -77,7 +77,7 @@ ContactStepReport FlightRun::solve(double t, double dt) {
                            multiplier_};
   terms.remote = &remote;
   StepOptions options = step_options_;
-  options.renewal_time = finest * plan_.step_in_contact;
+  options.renewal_time = renewed_wholly * plan_.step_in_contact;
   if (dt > 1.001 * smallest_step()) options.newton.patience = patience_of_newton;
   ContactStepReport report = time_step(system_, arc().state, terms, options);
   if (report.converged) forces_after_ = forces_now(t + dt, report.multiplier);

@@ -15,7 +15,7 @@ void SurfaceContact::update_active(const Eigen::VectorXd &u, SurfaceContactState
     const auto coupling = couple(k, u, state.opposite[k], 0.0);
     const bool was = state.covered[k];
     state.covered[k] = coupling && coupling->inside;
-    settle_entry(k, coupling ? &*coupling : nullptr, was, state);
+    update_entry(k, coupling ? &*coupling : nullptr, was, state);
     state.opposite[k] = coupling ? coupling->carrier_face : -1;
     if (state.covered[k]) continue;
     state.multiplier[k] = 0;
@@ -23,7 +23,7 @@ void SurfaceContact::update_active(const Eigen::VectorXd &u, SurfaceContactState
   }
 }
 
-void SurfaceContact::settle_entry(std::size_t k, const Coupling *coupling, bool was, SurfaceContactState &state) const {
+void SurfaceContact::update_entry(std::size_t k, const Coupling *coupling, bool was, SurfaceContactState &state) const {
   double &entry = state.entry[k];
   if (!state.covered[k])
     entry = 0;
