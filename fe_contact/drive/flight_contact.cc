@@ -77,7 +77,6 @@ ContactStepReport FlightRun::solve(double t, double dt) {
                            multiplier_};
   terms.remote = &remote;
   StepOptions options = step_options_;
-  options.renewal_time = renewed_wholly * plan_.step_in_contact;
   if (dt > 1.001 * smallest_step()) options.newton.patience = patience_of_newton;
   ContactStepReport report = time_step(system_, arc().state, terms, options);
   if (report.converged) forces_after_ = forces_now(t + dt, report.multiplier);
@@ -120,7 +119,7 @@ Attempt FlightRun::assess(const SolvedStep &step) {
   const double energy = std::abs(energies_.unbalanced(record_.ledger) + flight.work_of_dish()) /
                         (energy_tolerance * std::max(1.0, record_.ledger.largest_input));
   return control.assess(std::max(displacement, energy), step.dt, step.dt > finest * plan_.step_in_contact,
-                        arc().state.growth_hold > 0, step.refused);
+                        arc().state.growth_hold > 0, step.before.refused_error);
 }
 
 void FlightRun::follow(const SolvedStep &step) {

@@ -5,6 +5,7 @@
 #include "fe_contact/drive/sample_row.h"
 #include "fe_contact/drive/solver_counts.h"
 #include "fe_contact/drive/state_fields.h"
+#include "fe_contact/drive/step_control.h"
 #include "fe_contact/engine/solid_fields.h"
 
 #include "io/files/error.h"
@@ -37,7 +38,9 @@ FlightRun::FlightRun(const scene::Scene &scene, const planning::Plan &plan, cons
     : Drive(options, record, steps_a_checkpoint), scene_(scene), plan_(plan), system_(system),
       step_options_(step_options(system.model().rung, scene)), model_(scene), loads_(scene, model_),
       bearing_(model_.initial_state()), support_(loads_.initial_support()),
-      touch_height_(model_.height(scene.bearing.lateral_capacity(), 0).z) {}
+      touch_height_(model_.height(scene.bearing.lateral_capacity(), 0).z) {
+  step_options_.renewal_time = shortest_whole_renewal * plan.step_in_contact;
+}
 
 void FlightRun::run() {
   if (options_.resume)

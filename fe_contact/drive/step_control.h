@@ -12,14 +12,14 @@ struct StepControl {
 
   /// A step of length dt with an error in tolerances. The error falls with about the third power of the step. Where the
   /// step may not be cut it is taken whatever its error, and the ledger shows it. `refused`: the error with which the
-  /// last longer step from the same start was refused (0: none was); one that hardly fell since is not the step's but
-  /// a jump's (multipliers, contact points), which shorter steps only repeat. `growth_hold`: the next step is not to
-  /// grow.
+  /// last longer step from the same start was refused (0: none was); one that hardly changed since is not the step's
+  /// but a jump's (multipliers, contact points), which shorter steps only repeat. `growth_hold`: the next step is not
+  /// to grow.
   Attempt assess(double error, double dt, bool may_be_cut, bool growth_hold, double refused = 0) const;
 };
 
 /// Of the longest step in contact: shorter ones renew the multipliers by their share (StepOptions::renewal_time).
-inline constexpr double renewed_wholly = 1.0 / 32;
+inline constexpr double shortest_whole_renewal = 1.0 / 32;
 
 /// Iterations after which Newton is given up where its residual creeps and the step may be cut.
 inline constexpr int patience_of_newton = 6;

@@ -1,6 +1,7 @@
 #include "fe_contact/drive/stepper.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace rimpact::fe {
 
@@ -19,7 +20,7 @@ Attempt Stepper::attempt(double t, double dt) {
     state().growth_hold = steps_without_growth;
     return {false, 0, report.reason};
   }
-  const SolvedStep step{t, dt, before, report, refused_};
+  const SolvedStep step{t, dt, before, report};
   const std::vector<Event> now = events(step);
   if (const double sharp = sharp_step(now); sharp > 0 && dt > sharp)
     return refuse(before, {false, dt / 4, "an event falls into the step"});
@@ -27,7 +28,7 @@ Attempt Stepper::attempt(double t, double dt) {
   if (!result.accepted) return refuse(before, result);
   state().growth_hold = std::max(0, state().growth_hold - 1);
   accept(step);
-  refused_ = 0;
+  state().refused_error = 0;
   result.last = take(now);
   if (!result.last) keep(result.suggested_step);
   return result;
@@ -35,7 +36,7 @@ Attempt Stepper::attempt(double t, double dt) {
 
 Attempt Stepper::refuse(const SystemState &before, Attempt cut) {
   state() = before;
-  if (cut.error > 0) refused_ = cut.error;
+  if (cut.error > 0 && std::isfinite(cut.error)) state().refused_error = cut.error;
   ++system().work.cuts;
   return cut;
 }

@@ -23,7 +23,6 @@ struct SolvedStep {
   double t, dt;              ///< its start and its length [s], or of the load parameter
   const SystemState &before; ///< at its start
   const ContactStepReport &report;
-  double refused; ///< error of the last longer step from this start, for which it was refused [tolerances]; 0: none
   double end() const { return t + dt; }
 };
 
@@ -56,8 +55,6 @@ protected:
 private:
   Attempt attempt(double t, double dt);
   Attempt refuse(const SystemState &before, Attempt cut);
-
-  double refused_ = 0; ///< error of the last step from here, not taken for it
 };
 
 } // namespace rimpact::fe

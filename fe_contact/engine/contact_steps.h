@@ -16,8 +16,9 @@ struct StepOptions {
   double rho_inf = 0.8;
   bool smooth = false;  ///< steps in time: no wall in reach, the motion has an acceleration
   bool expects = false; ///< steps in time begin with the pressures' last change repeated (see SurfaceContact::expect)
-  /// Shorter steps in time renew multipliers by their share of it [s]; 0: all renew them wholly. Multipliers renewed
-  /// wholly in ever shorter steps add up the gap without end: contact then feeds its own ringing.
+  /// Shorter steps in time carry multipliers on, and renew them for the next step, by their share of it [s]; 0: all do
+  /// so wholly. Multipliers renewed wholly in ever shorter steps add up the gap without end: contact then feeds its own
+  /// ringing. Within a step they are renewed as ever, where more than gap_tolerance is left.
   double renewal_time = 0;
 };
 

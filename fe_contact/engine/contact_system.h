@@ -23,6 +23,7 @@ struct SystemState {
   Eigen::VectorXd change_before; ///< likewise, over the step before that one
   double dt_before = 0;          ///< [s]; 0: none
   int growth_hold = 0;           ///< steps that are not to grow, one before them did not converge
+  double refused_error = 0;      ///< for which the last step tried from here was not taken [tolerances]; 0: none was
   SolidHistory history;
   std::vector<SurfaceContactState> contacts;
   SolidEnergies energies;

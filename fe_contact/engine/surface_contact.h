@@ -44,7 +44,7 @@ struct SurfaceContactState {
   std::vector<char> covered;
   std::vector<int> opposite; ///< carrier face last found opposite, -1: none
   /// Overlap with which a point came over a free edge [m], >= 0: what it bears is measured from there. It is given up
-  /// while the point slides by its own width, as the area that it stands for comes over the edge.
+  /// along the point's path over the master, by its own width, as the area that it stands for comes over the edge.
   std::vector<double> entry;
   double stiffening = 1;        ///< factor on the stated penalties where augmentation alone was slow
   std::vector<double> change{}; ///< of the pressures over the last step [Pa]; empty: none yet

@@ -58,6 +58,7 @@ SurfaceContactState SurfaceContact::carried(const SurfaceContactState &other, co
   for (std::size_t k = 0; k < points_.size(); ++k) {
     if (!state.covered[k] || !other.covered[k]) continue; // edges differ by what the meshes' faces do
     state.multiplier[k] = other.multiplier[k], state.tangential[k] = other.tangential[k];
+    state.entry[k] = other.entry[k];
   }
   return state;
 }
@@ -120,7 +121,8 @@ void SurfaceContact::add_work(const SurfaceContactState &before, const SurfaceCo
                  g1 = std::isfinite(after.gap[k]) ? after.gap[k] : master_.distance(y).gap;
     // A penalty's spring stores energy; what is left of the trapezoidal rule at touch and release is an error of
     // the step, and must show as one. With multipliers there is only the work.
-    if (!over_an_edge && before.multiplier[k] == 0 && after.multiplier[k] == 0)
+    const bool spring = before.multiplier[k] == 0 && after.multiplier[k] == 0 && before.entry[k] == 0;
+    if (spring && !over_an_edge)
       report.normal_work += area * (p1 * p1 - p0 * p0) / (2 * options_.law.normal_penalty * after.stiffening);
     else
       report.normal_work -= 0.5 * area * (p0 + p1) * (g1 - g0);
@@ -134,11 +136,17 @@ void SurfaceContact::commit(const Eigen::VectorXd &u, SurfaceContactState &state
   if (renewal.normal == NextMultipliers::none) std::fill(state.multiplier.begin(), state.multiplier.end(), 0.0);
   if (renewal.normal == NextMultipliers::augmented)
     for (std::size_t k = 0; k < points_.size(); ++k)
-      state.multiplier[k] += renewal.share * (next.multiplier[k] - state.multiplier[k]);
+      if (next.multiplier[k] > 0) // what bears nothing keeps nothing
+        state.multiplier[k] += renewal.share * (next.multiplier[k] - state.multiplier[k]);
+      else
+        state.multiplier[k] = 0;
   constexpr double entries_given_up = 2; // e-folds over a point's width
   for (std::size_t k = 0; k < points_.size(); ++k) {
     const Vector3d y = relative_position(k, u, state);
-    state.entry[k] *= std::exp(-entries_given_up * (y - state.start[k]).norm() / std::sqrt(points_[k].area));
+    if (state.entry[k] > 0) {
+      const Vector3d way = y - state.start[k], n = master_.distance(y).normal;
+      state.entry[k] *= std::exp(-entries_given_up * (way - n.dot(way) * n).norm() / std::sqrt(points_[k].area));
+    }
     state.start[k] = y;
   }
   update_active(u, state);

@@ -108,9 +108,13 @@ private:
     };
     int first = -1;
     while (look()) first = locate_first(falling); // the shortened step may end where others have fallen for a while
-    for (const auto &[watch, place] : at_zero)
-      if (system_.value_at_end(*watch, step) < 0)
-        first = holds_at_start(*watch) ? place : -1; // what was found lies beyond the shortened step
+    for (std::size_t i = 0; i < at_zero.size(); ++i) { // which may grow
+      const auto [watch, place] = at_zero[i];
+      if (!(system_.value_at_end(*watch, step) < 0)) continue;
+      if (holds_at_start(*watch)) return place;
+      first = -1; // what was found lies beyond the shortened step
+      while (look()) first = locate_first(falling);
+    }
     return first;
   }
 
@@ -129,7 +133,10 @@ private:
   template <class Value> std::pair<double, int> lowest(const std::vector<Falling> &falling, const Value &value) const {
     std::pair<double, int> result{std::numeric_limits<double>::infinity(), -1};
     for (const auto &[watch, before, place] : falling)
-      if (const double share = value(*watch) / before; !(share >= result.first)) result = {share, place};
+      if (const double share = value(*watch) / before; share < result.first || std::isnan(share)) {
+        result = {share, place};
+        if (std::isnan(share)) break; // as one that has fallen: the step becomes shorter
+      }
     return result;
   }
 
@@ -180,7 +187,7 @@ private:
     const double whole = step.h, near = first_of_interpolant(falling);
     for (const double h : {near + about * whole, near - about * whole})
       if (h > zero.low && h < zero.high) attempt(h);
-    while (zero.high - zero.low > 1e-13 + 1e-16 * step.t && zero.f_high != 0 && zero.n_guesses < 100)
+    while (zero.high - zero.low > 1e-15 + 1e-16 * step.t && zero.f_high != 0 && zero.n_guesses < 100)
       attempt(zero.guess());
     if (step.h != zero.high) try_step(zero.high);
     return first;

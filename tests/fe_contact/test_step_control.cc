@@ -21,6 +21,7 @@ double taken(const StepControl &rule, const std::function<double(double)> &error
     EXPECT_LT(attempt.suggested_step, step);
     refused = attempt.error, step = attempt.suggested_step;
   }
+  ADD_FAILURE() << "no step was taken";
   return 0;
 }
 
@@ -42,4 +43,9 @@ TEST(StepControl, AJumpIsTakenAfterOneCut) {
 TEST(StepControl, ALargeJumpIsNotTaken) {
   const auto large = [](double) { return 1.01 * control.most_of_a_jump; };
   EXPECT_LE(taken(control, large, dt / 1000), 2e-3);
+}
+
+TEST(StepControl, AnErrorThatGrowsWithShorterStepsIsNoJump) {
+  const auto growing = [](double step) { return 5 * std::pow(dt / step, 0.6); };
+  EXPECT_LE(taken(control, growing, dt / 1000), 2e-3);
 }

@@ -1,4 +1,4 @@
-"""Hard cases of rung rim with a slider between two dishes, on the default mesh: name, must be right, (scene, settings), expected
+"""Hard cases of rung rim with a slider between two dishes, on the draft mesh: name, must be right, (scene, settings), expected
 exit code, check of the summary."""
 from cases_rim import WEIGHT
 from checks import close_to, impacts
@@ -45,7 +45,7 @@ def cases(program, folder):
     ]
 
 
-MESH = 1
+MESH = 0
 NOTES = """# Both rims are touched at once by the symmetry that this model takes; one after the other, a tilt at the start and a sliding
 # interface are not in it.
 """
