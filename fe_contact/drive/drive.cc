@@ -25,7 +25,7 @@ void Drive::restore(const Checkpoint &file) {
   steps_at_saving_ = record_.n_steps;
 }
 
-MarchReport Drive::march_to(double start, double end, const StepLimits &limits) {
+MarchReport Drive::stretch_to(double start, double end, const StepLimits &limits) {
   MarchReport report = Stepper::march_to(start, end, limits);
   record_.n_cuts += report.cuts;
   return report;

@@ -22,7 +22,7 @@ protected:
   void save();
   void restore(const Checkpoint &file); ///< throws DataError
   /// The stretch's cuts are the record's.
-  MarchReport march_to(double start, double end, const StepLimits &limits);
+  MarchReport stretch_to(double start, double end, const StepLimits &limits);
 
   const RunOptions &options_;
   RunRecord &record_;

@@ -59,7 +59,7 @@ void FlightRun::contact() {
     begin_contact();
   }
   const double longest = plan_.step_in_contact, smallest = smallest_step();
-  const MarchReport report = march_to(bearing_.t, end_time(), {next_step_, smallest, longest});
+  const MarchReport report = stretch_to(bearing_.t, end_time(), {next_step_, smallest, longest});
   if (report.finished) return;
   next_step_ = smallest;
   save();

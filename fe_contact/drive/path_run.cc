@@ -67,7 +67,7 @@ private:
   /// To the phase's end, or to where the walls part: what is reached is in both cases the phase's end.
   void push(const PathCourse::Phase &phase) {
     const double first = next_step_ > 0 ? next_step_ : phase.first;
-    const MarchReport report = march_to(reached_, phase.end, {first, phase.smallest, phase.largest, course_.growth});
+    const MarchReport report = stretch_to(reached_, phase.end, {first, phase.smallest, phase.largest, course_.growth});
     reached_ = report.finished ? phase.end : report.reached;
     if (report.finished) return;
     next_step_ = phase.largest;

@@ -89,7 +89,8 @@ void SlidingRun::march_on() {
   const double longest = near_rim_  ? plan_.step_in_contact
                          : resting_ ? planning::longest_resting_step
                                     : longest_sliding_step;
-  const MarchReport report = march_to(t_, end_time(), {std::min(next_step_, longest), motion_.smallest_step, longest});
+  const MarchReport report =
+      stretch_to(t_, end_time(), {std::min(next_step_, longest), motion_.smallest_step, longest});
   next_step_ = report.wanted;
   if (!report.finished) {
     save();

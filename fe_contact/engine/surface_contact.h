@@ -159,8 +159,6 @@ private:
   /// Relative position by the present opposite, else by the carrier's rough displacement.
   Eigen::Vector3d relative_position(std::size_t k, const Eigen::VectorXd &u, const SurfaceContactState &state) const;
   void update_active(const Eigen::VectorXd &u, SurfaceContactState &state) const;
-  /// The entry of a point whose cover is known: `was`, whether it was covered before.
-  void update_entry(std::size_t k, const Coupling *coupling, bool was, SurfaceContactState &state) const;
   /// Whether a point for which no face is found may be on the master's surface, judged by the face last opposite.
   bool is_candidate(std::size_t k, const Eigen::VectorXd &u, int opposite) const;
   /// The master's distance where a point is, on the deformed carrier. The gap's gradient by w, nu, has the length

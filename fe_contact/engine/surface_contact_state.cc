@@ -13,24 +13,17 @@ using Eigen::Vector3d;
 void SurfaceContact::update_active(const Eigen::VectorXd &u, SurfaceContactState &state) const {
   for (std::size_t k = 0; k < points_.size(); ++k) {
     const auto coupling = couple(k, u, state.opposite[k], 0.0);
-    const bool was = state.covered[k];
+    const bool was_covered = state.covered[k];
     state.covered[k] = coupling && coupling->inside;
-    update_entry(k, coupling ? &*coupling : nullptr, was, state);
     state.opposite[k] = coupling ? coupling->carrier_face : -1;
-    if (state.covered[k]) continue;
-    state.multiplier[k] = 0;
+    double &entry = state.entry[k];
+    if (coupling && coupling->inside) {
+      entry = was_covered ? std::clamp(-state.gap[k], 0.0, entry) : std::max(0.0, -pushed_forward(*coupling).gap);
+      continue;
+    }
+    entry = state.multiplier[k] = 0;
     state.tangential[k].setZero();
   }
-}
-
-void SurfaceContact::update_entry(std::size_t k, const Coupling *coupling, bool was, SurfaceContactState &state) const {
-  double &entry = state.entry[k];
-  if (!state.covered[k])
-    entry = 0;
-  else if (!was)
-    entry = std::max(0.0, -pushed_forward(*coupling).gap);
-  else if (entry > 0)
-    entry = std::clamp(-state.gap[k], 0.0, entry);
 }
 
 SurfaceContactState SurfaceContact::open(const Eigen::VectorXd &u) const {

@@ -195,7 +195,7 @@ TEST(DentedRim, ObliqueImpactsConvergeWithTheTolerance) {
 
 TEST(DentedRim, NoDirectionIsPreferred) {
   const auto of = [](scene::Scene s) {
-    s.reduced.tolerance = 1e-11;
+    s.reduced.tolerance = 1e-12; // the second impact differs by up to 2e-8 at 1e-11, by 3e-10 here
     return simulate_summary(s).impacts;
   };
   const auto given = of(thrice()), exchanged = of(thrice(0, true)), turned = of(thrice(37));
