@@ -5,7 +5,6 @@
 #include "fe_contact/drive/sample_row.h"
 #include "fe_contact/drive/solver_counts.h"
 #include "fe_contact/drive/state_fields.h"
-#include "fe_contact/drive/step_control.h"
 #include "fe_contact/engine/solid_fields.h"
 
 #include "io/files/error.h"
@@ -36,11 +35,9 @@ void visit_bearing(StateVisitor &v, reduced::BearingState &bearing, double end) 
 FlightRun::FlightRun(const scene::Scene &scene, const planning::Plan &plan, const RunOptions &options,
                      BearingSystem &system, RunRecord &record)
     : Drive(options, record, steps_a_checkpoint), scene_(scene), plan_(plan), system_(system),
-      step_options_(step_options(system.model().rung, scene)), model_(scene), loads_(scene, model_),
+      step_options_(step_options(system.model().rung, scene, plan)), model_(scene), loads_(scene, model_),
       bearing_(model_.initial_state()), support_(loads_.initial_support()),
-      touch_height_(model_.height(scene.bearing.lateral_capacity(), 0).z) {
-  step_options_.renewal_time = shortest_whole_renewal * plan.step_in_contact;
-}
+      touch_height_(model_.height(scene.bearing.lateral_capacity(), 0).z) {}
 
 void FlightRun::run() {
   if (options_.resume)

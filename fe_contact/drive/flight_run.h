@@ -99,7 +99,7 @@ private:
   const scene::Scene &scene_;
   const planning::Plan &plan_;
   BearingSystem &system_;
-  StepOptions step_options_;
+  const StepOptions step_options_;
   reduced::PhysicalModel model_;
   MassLoads loads_;
   reduced::BearingState bearing_;

@@ -29,4 +29,11 @@ StepOptions step_options(const Rung &rung, const scene::Scene &scene) {
   return options;
 }
 
+StepOptions step_options(const Rung &rung, const scene::Scene &scene, const planning::Plan &plan) {
+  constexpr double shortest_whole_renewal = 1.0 / 32; // of the longest step in contact
+  StepOptions options = step_options(rung, scene);
+  options.renewal_time = shortest_whole_renewal * plan.step_in_contact;
+  return options;
+}
+
 } // namespace rimpact::fe

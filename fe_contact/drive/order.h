@@ -11,5 +11,7 @@ meshes::MeshOrder mesh_order(const scene::Scene &scene, const planning::Plan &pl
 ModelOptions model_options(const scene::Scene &scene);
 /// The rung's own, with the scene's damping of the time stepping.
 StepOptions step_options(const Rung &rung, const scene::Scene &scene);
+/// Those of steps in time: the shortest ones renew the multipliers by their share only.
+StepOptions step_options(const Rung &rung, const scene::Scene &scene, const planning::Plan &plan);
 
 } // namespace rimpact::fe

@@ -30,9 +30,8 @@ SlidingRun::SlidingRun(const Rung &rung, const scene::Scene &scene, const planni
       model_(rung, scene.bearing, mesh_order(scene, plan), model_options(scene)),
       alone_(model_, scene.load.mass, RimState::held), joined_(model_, scene.load.mass, RimState::solid),
       ground_(scene.excitation, scene.load.gravity) {
-  motion_.step = step_options(rung, scene);
+  motion_.step = step_options(rung, scene, plan);
   motion_.contact_step = 0.1 * plan.step_in_contact;
-  motion_.step.renewal_time = shortest_whole_renewal * plan.step_in_contact;
   motion_.smallest_step = 1e-3 * plan.step_in_contact;
   motion_.gain_tolerance = 5e-4; // single steps at release give some back
   record.n_dofs = joined_.equations().n;

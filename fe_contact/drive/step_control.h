@@ -18,9 +18,6 @@ struct StepControl {
   Attempt assess(double error, double dt, bool may_be_cut, bool growth_hold, double refused = 0) const;
 };
 
-/// Of the longest step in contact: shorter ones renew the multipliers by their share (StepOptions::renewal_time).
-inline constexpr double shortest_whole_renewal = 1.0 / 32;
-
 /// Iterations after which Newton is given up where its residual creeps and the step may be cut.
 inline constexpr int patience_of_newton = 6;
 

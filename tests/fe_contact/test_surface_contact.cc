@@ -157,9 +157,7 @@ TEST(Ledger, CountsPointsThatLeaveOverAnEdgeAndThatComeOverIt) {
 /// An elastic block meets a plane at 0.1 m/s and is followed in steps of a thousandth of a wave's time through it; the
 /// kinetic and elastic energy at the end over that at the start.
 double energy_kept(double renewal_time) {
-  meshes::HexMesh mesh;
-  test::add_box(mesh, {{0, 0, 0}, {0.2, 0.1, 0.1}, {2, 1, 1}, Volume::rim, {{4, Surface::slider_side}}});
-  const Discretisation space(mesh, 2);
+  const Discretisation space(Block::mesh(), 2);
   const Solid solid(space, {{Volume::rim, scene::Material{block_modulus, 0.3, 1000, {}, {}}}});
   Supports supports(space);
   ContactSystem system(space, solid, supports.number());
