@@ -4,7 +4,7 @@ import pathlib
 import sys
 
 from figures import Drawing
-from settle import settle
+from write_or_compare import write_or_compare
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 Graph = dict[str, set[str]]
@@ -95,7 +95,7 @@ def picture() -> str:
 
 def main(*options: str) -> int:
     made = {ROOT / "docs/pictures/architecture.svg": picture()}
-    return settle(made, options, "tests/check_includes.py says; run docs/generate/architecture.py")
+    return write_or_compare(made, options, "tests/check_includes.py says; run docs/generate/architecture.py")
 
 
 if __name__ == "__main__":

@@ -5,7 +5,7 @@ import pathlib
 import sys
 from collections.abc import Sequence
 
-from settle import settle
+from write_or_compare import write_or_compare
 
 Point = tuple[float, float]
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -192,7 +192,7 @@ FIGURES = {"theory-bearing": bearing, "theory-gap": gap, "theory-law": law, "the
 
 def main(*options: str) -> int:
     made = {ROOT / "docs/pictures" / f"{name}.svg": draw() for name, draw in FIGURES.items()}
-    return settle(made, options, "docs/generate/figures.py draws; run it")
+    return write_or_compare(made, options, "docs/generate/figures.py draws; run it")
 
 
 if __name__ == "__main__":

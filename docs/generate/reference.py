@@ -12,7 +12,7 @@ import sys
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
-from settle import settle
+from write_or_compare import write_or_compare
 
 HEAD = "<!-- Made by docs/generate/reference.py; do not edit. -->\n"
 SECTIONS = (("bearing.", "Bearing", "In a bearing file without `bearing.`; in a scene under `[bearing]`."), ("load.", "Load", ""),
@@ -131,7 +131,7 @@ def main(program: str, *options: str) -> int:
             print(f"{name} is not checked: this build has no finite-element side")
             continue
         made[folder / name] = HEAD + page(command)
-    return settle(made, options, "the command says; run docs/generate/reference.py")
+    return write_or_compare(made, options, "the command says; run docs/generate/reference.py")
 
 
 if __name__ == "__main__":

@@ -12,7 +12,7 @@ import tomllib
 from collections.abc import Iterable
 from typing import Any
 
-from settle import settle
+from write_or_compare import write_or_compare
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 HEAD = "<!-- Made by docs/generate/results.py; do not edit. -->\n"
@@ -54,7 +54,7 @@ TABLES = {
         ("tests/benchmarks/peers/rim_getfem/window.txt", "A window by GetFEM", "ctest -L slow -R rim_window_getfem")]),
     "runs": ("Whole runs: work and time", [
         ("tests/benchmarks/runs.txt", "Two builds beside one another", "tests/benchmarks/runs.py RIMPACT --against RIMPACT_BEFORE --rows NAME,... --write FILE"),
-        ("tests/benchmarks/runs_alone.txt", "Dear runs of one build", "tests/benchmarks/runs.py RIMPACT --rows NAME,... --write FILE"),
+        ("tests/benchmarks/runs_alone.txt", "Long runs of one build", "tests/benchmarks/runs.py RIMPACT --rows NAME,... --write FILE"),
         ("tests/benchmarks/work.txt", "One Newton iteration by mesh and by ranks, counted",
          "tests/benchmarks/work.py build/release/bin/bench_work --meshes 0,1,2,3 --ranks 1,2,3,4 --shared-meshes 0,1,2 --write FILE")]),
     "law-against-solids": ("The law against the solids", [
@@ -245,7 +245,7 @@ def pages() -> dict[str, str]:
 def main(*options: str) -> int:
     made = {ROOT / "docs" / "results" / name: HEAD + page for name, page in pages().items()}
     made[ROOT / "README.md"] = readme()
-    return settle(made, options, "the tables say; run docs/generate/results.py")
+    return write_or_compare(made, options, "the tables say; run docs/generate/results.py")
 
 
 if __name__ == "__main__":

@@ -50,7 +50,7 @@ public:
   Solid(const Discretisation &space, const std::map<meshes::Volume, scene::Material> &materials);
 
   SolidHistory initial_history() const { return SolidHistory(space_.n_cells * space_.full.n_points); }
-  /// Cliques of coupled equations, one a cell.
+  /// Coupled sets of equations, one a cell.
   std::vector<std::vector<int>> couplings(const Equations &equations) const;
 
   /// Adds internal forces at dof displacements u to `forces` (equations) and, when given, the tangent. dt: from old to
@@ -69,7 +69,7 @@ public:
   double weight_of(std::size_t cell, std::size_t dof, const Equations &equations) const {
     return equations.weight[3 * space_.cell_nodes[cell * space_.nodes_per_cell + dof / 3] + dof % 3];
   }
-  /// Cliques of equations that masses couple, one a cell and direction.
+  /// Sets of equations that masses couple, one a cell and direction.
   std::vector<std::vector<int>> mass_couplings(const Equations &equations) const;
   /// Of all cells, or of those whose tangent is this rank's.
   void add_mass(const Equations &equations, SymmetricMatrix &mass) const;

@@ -55,7 +55,7 @@ std::vector<Channel> channels_of_jma(std::string_view text);
 SampledSignal parse_smc(const std::string &text, const std::string &path, const ReadAs &as);
 RecordHead head_of_smc(const Channel &channel);
 /// CSMIP V1 (uncorrected accelerograms): pairs of time and acceleration in columns of 7, or accelerations at even
-/// instants under a line of counts as in V2. Uneven instants are refused.
+/// instants under a line of counts as in V2. Instants at unequal steps are refused.
 SampledSignal parse_csmip_raw(const std::string &text, const std::string &path, const ReadAs &as);
 /// COSMOS V2 and CSMIP V2 (corrected accelerations): header blocks whose lengths their first lines tell, accelerations
 /// in a unit that the line of counts names (cm/s^2, g, m/s^2). Numbers behind the values it promises are refused, a

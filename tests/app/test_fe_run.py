@@ -149,7 +149,7 @@ class RimWindow(unittest.TestCase):
                 self.assertIn("while the rim still bears", run.stderr)
                 os.remove(os.path.join(folder, "summary.json"))  # the resumed run goes on from the last checkpoint, which is the end
 
-    def test_fields_of_an_impact_as_often_as_wished(self):
+    def test_fields_of_an_impact_as_often_as_asked(self):
         with tempfile.TemporaryDirectory() as folder:
             run = rimpact(*WINDOW, "--mesh", "0", "--set", "excitation.duration_s=0.01", "--fields-every", "2", "-o", folder)
             self.assertEqual(run.returncode, 0, run.stderr)

@@ -151,7 +151,7 @@ class Main(unittest.TestCase):
         return path
 
     def test_own_bearing_and_load(self):
-        """The user's load is in every run, and every pulse touches the rim within the wished speeds."""
+        """The user's load is in every run, and every pulse touches the rim within the asked speeds."""
         run = self.main(self.own_bearing(), "--set", "load.vertical_kN=2000", "--set", "load.mass_kg=203900", "--title", "Bearing 7", "--quiet")
         self.assertEqual(run.returncode, 0, run.stderr)
         main = read(self.folder, "main.json")

@@ -65,15 +65,15 @@ class RankSignals(unittest.TestCase):
             self.assertEqual(process.returncode, 2, errors)
             self.assertIn("--ranks", errors)
 
-    def test_a_dear_run_takes_two_ranks_unless_told(self):
+    def test_a_long_run_takes_two_ranks_unless_told(self):
         cores = len(os.sched_getaffinity(0))
         if cores < 2:
             self.skipTest("one processor here")
-        dear, none = ["ricker-0.78g-1.0s", "--rung", "rigid-dish"], {}
+        long, none = ["ricker-0.78g-1.0s", "--rung", "rigid-dish"], {}
         self.environment.pop("RIMPACT_THREADS", None)
         free = self.environment
-        for scene, threads, n in ((dear, none, 2), ([*dear, "--ranks", "1"], none, 1), ([*dear, "--mesh", "0"], none, 1), (["ricker-0.78g-1.0s"], none, 1),
-                                  ([*dear, "--dry-run"], none, 1), (dear, {"RIMPACT_THREADS": "1"}, 1)):
+        for scene, threads, n in ((long, none, 2), ([*long, "--ranks", "1"], none, 1), ([*long, "--mesh", "0"], none, 1), (["ricker-0.78g-1.0s"], none, 1),
+                                  ([*long, "--dry-run"], none, 1), (long, {"RIMPACT_THREADS": "1"}, 1)):
             with self.subTest(" ".join(scene), **threads), tempfile.TemporaryDirectory() as folder:
                 self.environment, self.folder = {**free, **threads}, pathlib.Path(folder)
                 process = self.start(scene=scene)

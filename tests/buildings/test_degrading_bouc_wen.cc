@@ -8,7 +8,7 @@ using Point = DegradingBoucWen::Point;
 
 namespace {
 
-const DegradingBoucWen worn{.yield_force = 300,
+const DegradingBoucWen degrading{.yield_force = 300,
                             .yield_deformation = 0.004,
                             .post_yield = 0.03,
                             .exponent = 1.7,
@@ -48,12 +48,12 @@ TEST(DegradingBoucWen, FromRestIsTheHyperbolicTangent) {
 
 TEST(DegradingBoucWen, ImplicitStepsConvergeToTheRates) {
   const auto path = [](double t) { return 0.02 * std::sin(3 * t) * (1 + t); };
-  const Point exact = integrate(worn, path, 4, 200000);
+  const Point exact = integrate(degrading, path, 4, 200000);
   EXPECT_GT(exact.e, 10);
   double before = 0;
   for (const int n : {2000, 4000, 8000}) {
     Point p{};
-    for (int i = 1; i <= n; ++i) p = worn.implicit_step(p, path(4.0 * i / n), p).at;
+    for (int i = 1; i <= n; ++i) p = degrading.implicit_step(p, path(4.0 * i / n), p).at;
     const double error = std::abs(p.z - exact.z) + std::abs(p.e - exact.e);
     if (before > 0) {
       EXPECT_NEAR(before / error, 2, 0.2); // backward Euler
@@ -65,12 +65,12 @@ TEST(DegradingBoucWen, ImplicitStepsConvergeToTheRates) {
 TEST(DegradingBoucWen, TangentIsThatOfTheStage) {
   for (const Point base : {Point{0.001, 0.2, 0}, Point{-0.01, -0.8, 12}, Point{0.002, 0, 3}, Point{0, 0.9, 0.1}})
     for (const double by : {1e-5, 2e-3, -4e-3, 0.05, -0.05}) {
-      const double d = base.d + by, h = 1e-7 * worn.yield_deformation;
-      const auto at = worn.implicit_step(base, d, base);
+      const double d = base.d + by, h = 1e-7 * degrading.yield_deformation;
+      const auto at = degrading.implicit_step(base, d, base);
       ASSERT_TRUE(std::isfinite(at.force));
       const double slope =
-          (worn.implicit_step(base, d + h, at.at).force - worn.implicit_step(base, d - h, at.at).force) / (2 * h);
-      EXPECT_NEAR(at.slope, slope, 1e-6 * worn.stiffness()) << base.z << " " << by;
+          (degrading.implicit_step(base, d + h, at.at).force - degrading.implicit_step(base, d - h, at.at).force) / (2 * h);
+      EXPECT_NEAR(at.slope, slope, 1e-6 * degrading.stiffness()) << base.z << " " << by;
     }
 }
 
@@ -81,27 +81,27 @@ TEST(DegradingBoucWen, LosesEnergyOnlyAndKeepsTheLedger) {
   for (int i = 1; i <= n; ++i) {
     const double t = 20.0 * i / n, d = 0.03 * std::sin(t) * std::sin(0.7 * t);
     const Point before = p;
-    p = worn.implicit_step(p, d, p).at;
+    p = degrading.implicit_step(p, d, p).at;
     const Point rates{p.d - before.d, p.z - before.z, p.e - before.e};
-    const double loss = worn.loss(p, rates);
+    const double loss = degrading.loss(p, rates);
     EXPECT_GE(loss, 0);
-    lost += loss, work += 0.5 * (worn.force(p) + worn.force(before)) * (p.d - before.d);
-    EXPECT_LE(worn.strength_left(p), strength);
-    strength = worn.strength_left(p);
+    lost += loss, work += 0.5 * (degrading.force(p) + degrading.force(before)) * (p.d - before.d);
+    EXPECT_LE(degrading.strength_left(p), strength);
+    strength = degrading.strength_left(p);
   }
   EXPECT_GT(lost, 0);
-  EXPECT_NEAR(work, lost + worn.stored(p), 1e-3 * work);
+  EXPECT_NEAR(work, lost + degrading.stored(p), 1e-3 * work);
 }
 
 TEST(DegradingBoucWen, StrengthAndUnloadingStiffnessAreWhatIsLeft) {
   Point p{};
-  for (int i = 1; i <= 40000; ++i) p = worn.implicit_step(p, 0.04 * std::sin(i * 1e-3), p).at;
+  for (int i = 1; i <= 40000; ++i) p = degrading.implicit_step(p, 0.04 * std::sin(i * 1e-3), p).at;
   const double e = p.e;
-  for (int i = 1; i <= 4000; ++i) p = worn.implicit_step(p, p.d + 1e-5, p).at; // far in one direction
-  EXPECT_NEAR(p.z, worn.strength_left(p), 5e-3);
+  for (int i = 1; i <= 4000; ++i) p = degrading.implicit_step(p, p.d + 1e-5, p).at; // far in one direction
+  EXPECT_NEAR(p.z, degrading.strength_left(p), 5e-3);
   EXPECT_GT(p.e, e);
-  const auto back = worn.rates(p, -1.0); // beta 0.6: unloads a little steeper than 1 / eta
-  EXPECT_NEAR(-back.z * worn.yield_deformation, worn.stiffness_left(p) * (1 + 0.2), 0.01);
+  const auto back = degrading.rates(p, -1.0); // beta 0.6: unloads a little steeper than 1 / eta
+  EXPECT_NEAR(-back.z * degrading.yield_deformation, degrading.stiffness_left(p) * (1 + 0.2), 0.01);
 }
 
 TEST(DegradingBoucWen, AnElasticOneIsASpring) {

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """The README's and the tutorial's commands, and `cmake --install`, in the state that ./run leaves: a build folder which holds what
-ninja makes for the target `product` and nothing else. The dear blocks (finite elements) are left to tests/package/bare_root.py.
+ninja makes for the target `product` and nothing else. The slow blocks (finite elements) are left to tests/package/bare_root.py.
 
 usage: after_run.py SOURCE BUILD"""
 import os

@@ -23,9 +23,9 @@ class SmallResults(InFolder):
     """One window by finite elements and by the law, and a calibration."""
 
     def results(self, warnings: Sequence[str] = (), status: str = "done", truncate: float = 1.0, **changed: Any) -> str:
-        scene, calm = 'kind = "window"\nspeed_m_per_s = 0.2', lambda t: 0.0
-        synthetic.run(self.path("runs/window-0.20"), "window-0.20", scene, calm, synthetic.Rim(5e8, 0.7, 5e5), "rim", 0.2, status, truncate, warnings=warnings)
-        synthetic.run(self.path("law/window-0.20"), "window-0.20", scene, calm, synthetic.Rim(5e8, 0.8, 5e5), "reduced", 0.2, law="elastoplastic")
+        scene, quiet = 'kind = "window"\nspeed_m_per_s = 0.2', lambda t: 0.0
+        synthetic.run(self.path("runs/window-0.20"), "window-0.20", scene, quiet, synthetic.Rim(5e8, 0.7, 5e5), "rim", 0.2, status, truncate, warnings=warnings)
+        synthetic.run(self.path("law/window-0.20"), "window-0.20", scene, quiet, synthetic.Rim(5e8, 0.8, 5e5), "reduced", 0.2, law="elastoplastic")
         synthetic_calibration.calibration(self.folder, [], synthetic_calibration.answer((0.1, 0.2), **changed))
         return self.folder
 

@@ -56,7 +56,7 @@ class Reliability(InFolder):
             self.assertIn(words, html)
         self.assertNotIn("What is missing", html)
 
-    def test_what_the_levels_do_not_settle_is_a_range(self):
+    def test_what_the_levels_leave_open_is_a_range(self):
         unsettled = {"settled": 0, "probability_range_low": 2e-3, "probability_range_high": 0.4}
         self.study(**unsettled)
         html = self.report()

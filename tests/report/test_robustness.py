@@ -47,9 +47,9 @@ class Tampered(InFolder):
         self.addCleanup(patch.stop)
 
     def results(self):
-        scene, calm = 'kind = "window"\nspeed_m_per_s = 0.2', lambda t: 0.0
+        scene, quiet = 'kind = "window"\nspeed_m_per_s = 0.2', lambda t: 0.0
         for place, rung in (("runs", "rim"), ("reduced", "reduced")):
-            synthetic.run(self.path(place, "window-0.20"), "window-0.20", scene, calm, synthetic.Rim(5e8, 0.7, 2e6), rung, 0.2,
+            synthetic.run(self.path(place, "window-0.20"), "window-0.20", scene, quiet, synthetic.Rim(5e8, 0.7, 2e6), rung, 0.2,
                           warnings=["it swerves"])
         synthetic_calibration.calibration(self.folder, [{"speed_m_s": 0.2, "parameters": {"k_i": {"value": 3e5}}, "pair_force_error": 0.1}], synthetic_calibration.answer((0.2,)))
         synthetic_calibration.curves(self.path("calibration"))

@@ -3,7 +3,7 @@ import pathlib
 from collections.abc import Mapping, Sequence
 
 
-def settle(files: Mapping[pathlib.Path, str], options: Sequence[str], source: str) -> int:
+def write_or_compare(files: Mapping[pathlib.Path, str], options: Sequence[str], source: str) -> int:
     """`files`: contents by path, of one folder. Exit code 1 where --check is among the options and one differs from them; `source` ends the sentence."""
     if "--check" not in options:
         for path, text in files.items():
