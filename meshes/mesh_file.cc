@@ -33,28 +33,21 @@ bool all_hexahedra(const Elements &elements) {
                                                 [](int type) { return nodes_of_hexahedron(type) > 0; });
 }
 
-/// Size near the places of contact, growing by a third of the way from them; of tetrahedra, whose edges are halved.
-void set_sizes(const scene::OwnMesh &own, const std::vector<std::array<double, 3>> &fine_at) {
-  const double coarse = 2 * own.size / own.metres(), fine = 2 * std::min(own.contact_size, own.size) / own.metres();
-  std::string size = fmt::format("{}", coarse);
-  for (const auto &p : fine_at)
-    size = fmt::format("min({},{}+0.33*sqrt((x-({}))^2+(y-({}))^2+(z-({}))^2))", size, fine, p[0] / own.metres(),
-                       p[1] / own.metres(), p[2] / own.metres());
-  mesh::field::setString(mesh::field::add("MathEval", 1), "F", size);
+void set_sizes(const scene::OwnMesh &own, const std::vector<SizeOn> &sizes) {
+  mesh::field::setString(mesh::field::add("MathEval", 1), "F", size_expression(own, sizes));
   mesh::field::setAsBackgroundMesh(1);
   for (const char *other : {"Mesh.MeshSizeExtendFromBoundary", "Mesh.MeshSizeFromPoints"})
     gmsh::option::setNumber(other, 0);
-  gmsh::option::setNumber("Mesh.MeshSizeFromCurvature", 30); // edges a turn: straight ones must stay near a wall
-  gmsh::option::setNumber("Mesh.Algorithm", 1);              // the others cut across walls that are low and wide
+  gmsh::option::setNumber("Mesh.Algorithm", 1); // the others cut across walls that are low and wide
 }
 
 /// A geometry without cells is meshed: as it asks (transfinite, extruded) if that gives hexahedra, else by our sizes.
-void mesh_geometry(const scene::OwnMesh &own, const std::vector<std::array<double, 3>> &fine_at) {
+void mesh_geometry(const scene::OwnMesh &own, const std::vector<SizeOn> &sizes) {
   if (!Elements(3).types.empty()) return;
   mesh::generate(3);
   if (all_hexahedra(Elements(3))) return;
   mesh::clear();
-  set_sizes(own, fine_at);
+  set_sizes(own, sizes);
   mesh::generate(3);
 }
 
@@ -175,7 +168,7 @@ DrawnMesh read_mesh(const scene::OwnMesh &own, const std::string &path, const Dr
     };
     groups.join(number(Volume::plate), number(Volume::rim));
     if (use.pad_is_tied) groups.join(number(Volume::pad), number(Volume::foot));
-    mesh_geometry(own, use.fine_at);
+    mesh_geometry(own, use.sizes);
     return Reader(own, groups).read();
   } catch (const std::string &message) { // what gmsh 4.8 throws
     fail(own, "gmsh cannot read or mesh it: " + message);

@@ -1,5 +1,6 @@
 /// A bearing drawn elsewhere, read through gmsh.
 #pragma once
+#include "meshes/drawn_sizes.h"
 #include "meshes/hex_mesh.h"
 #include "scene/own_mesh_settings.h"
 
@@ -7,8 +8,8 @@ namespace rimpact::meshes {
 
 /// What a scene needs of a drawing.
 struct DrawingUse {
-  std::vector<std::array<double, 3>> fine_at = {}; ///< where slider and rim meet [m], for the sizes of what is meshed
-  bool pad_is_tied = true;                         ///< pad and foot are one piece, as plate and rim always are
+  std::vector<SizeOn> sizes = {}; ///< of what is meshed from a geometry, none above own.size
+  bool pad_is_tied = true;        ///< pad and foot are one piece, as plate and rim always are
 };
 struct DrawnMesh {
   HexMesh mesh;         ///< [m], all bodies of the file, where they are drawn

@@ -18,6 +18,9 @@
 #include <unistd.h>
 
 namespace rimpact::meshes {
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SizeOn, shape, centre, radius, size)
+
 namespace {
 
 using nlohmann::json;
@@ -28,7 +31,7 @@ json request(const scene::OwnMesh &own, const DrawingUse &use) {
           {"size", own.size},
           {"contact_size", own.contact_size},
           {"groups", own.groups},
-          {"fine_at", use.fine_at},
+          {"sizes", use.sizes},
           {"pad_is_tied", use.pad_is_tied}};
 }
 
@@ -41,7 +44,7 @@ scene::OwnMesh own_of(const json &r) {
 
 DrawingUse use_of(const json &r) {
   DrawingUse use;
-  r.at("fine_at").get_to(use.fine_at), r.at("pad_is_tied").get_to(use.pad_is_tied);
+  r.at("sizes").get_to(use.sizes), r.at("pad_is_tied").get_to(use.pad_is_tied);
   return use;
 }
 

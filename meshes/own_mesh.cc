@@ -149,18 +149,12 @@ void check_wall(const Drawn &drawn, bool both_sides) {
                            1e3 * low, 1e3 * high, both_sides ? "on both sides" : "at +x"));
 }
 
-/// Places where cells meshed from a geometry are to be fine: first touch, on the wall and on a slider drawn at rest.
-std::vector<std::array<double, 3>> contact_places(const scene::Bearing &bearing) {
-  const double bottom = bearing.slider.bottom, wall = bearing.wall_radius();
-  return {{wall, 0, bottom + scene::lift(bearing, bearing.lateral_capacity())},
-          {bearing.slider.diameter / 2, 0, bottom}};
-}
-
 } // namespace
 
 HexMesh own_mesh(const scene::OwnMesh &own, const scene::Bearing &bearing, const OwnMeshNeed &need) {
-  const DrawnMesh read =
-      read_mesh_apart(own, {.fine_at = contact_places(bearing), .pad_is_tied = !bearing.pad_is_seated()});
+  const DrawnMesh read = read_mesh_apart(
+      own, {.sizes = sizes_of(own, bearing, std::count(need.bodies.begin(), need.bodies.end(), Volume::pad) > 0),
+            .pad_is_tied = !bearing.pad_is_seated()});
   const Drawn drawn{only(read.mesh, need.bodies), own.file};
   check_groups(drawn, need);
   check_unit(drawn, own, bearing);

@@ -25,7 +25,9 @@ TABLES = {
         ("tests/hard_cases/solid/table_rim.txt", "Rung rim", "ctest -L slow -R hard_cases_rim"),
         ("tests/hard_cases/solid/table_rim-rate.txt", "Rung rim, steel that knows its rate", "ctest -L slow -R hard_cases_rim-rate"),
         ("tests/hard_cases/solid/table_rigid-dish.txt", "Rung rigid-dish", "ctest -L slow -R hard_cases_rigid-dish"),
-        ("tests/hard_cases/solid/table_full.txt", "Rung full", "ctest -L slow -R hard_cases_full")]),
+        ("tests/hard_cases/solid/table_rigid-dish-rate.txt", "Rung rigid-dish, steel that knows its rate", "ctest -L slow -R hard_cases_rigid-dish-rate"),
+        ("tests/hard_cases/solid/table_full.txt", "Rung full", "ctest -L slow -R hard_cases_full"),
+        ("tests/hard_cases/solid/table_full-rate.txt", "Rung full, steel that knows its rate", "ctest -L slow -R hard_cases_full-rate")]),
     "refinement": ("Refinement and peers", [
         ("tests/verification/rim_window_refinement.txt", "A window, meshes 1 to 3", "tests/verification/rim_window_refinement.py"),
         ("tests/verification/steel_places.txt", "The rim's steel, meshes 0 to 2", "tests/verification/steel_places.py"),
@@ -35,6 +37,7 @@ TABLES = {
         ("tests/verification/stack_refinement.txt", "The stack", "tests/verification/stack_refinement.py"),
         ("tests/verification/windows_of_rungs.txt", "One window by every rung", "tests/verification/windows_of_rungs.py"),
         ("tests/verification/static_loops.txt", "Quasi-static loops", "tests/verification/static_loops.py"),
+        ("tests/verification/tetrahedra.txt", "Tetrahedra", "tests/verification/tetrahedra.py"),
         ("tests/verification/pad_seat.txt", "The pad's seat, tied and frictional", "tests/verification/pad_seat.py"),
         ("tests/verification/figure_eight.txt", "Figure-eight", "tests/verification/figure_eight.py"),
         ("tests/verification/rim_curve.txt", "Curves of rims", "ctest -L slow -R rim_curve"),
@@ -83,7 +86,9 @@ REMARKS = {
              "Two things differ. Friction of the export is built up along a straight line over 0.225 mm, ours along Park and Wen's curve over 0.18 mm; and the export's mass "
              "stands on the pad's spring, ours, as a calibration of runs with a pad asks, on the dish. Made alike in both (*alike*), the travel agrees within 0.4 %. What stays, up to "
              "2.7 % of the rim's force, was not isolated: its springs, straight lines through the law, are as far off in the first table. The speed of touch of Array 7 in "
-             "three directions differs most, and its cause was not found: the hardest push agrees within 2.1 % there.\n\n"
+             "three directions differs most. The cause is the swing on the pad's spring that the vertical motion sets off, and that nothing damps: without that motion (Array 7, x y) "
+             "the speeds agree within 0.2 %, with it ours alone goes from 0.80 to 0.86 m/s as its tolerance falls from 1e-6 to 1e-10, and a loss factor of the pad of 0.02 brings it to "
+             "0.70 m/s, 1871 kN, within 1.3 % of theirs.\n\n"
              "The last tables are of solids, on our mesh. GetFEM assembles forms and their tangents from text; ours is written for this one problem. The largest difference of "
              "force falls from 3.7 % on mesh 0 to 1.1 % on mesh 1. Seconds to 1 % lie on a straight line of logarithms through the two finest meshes of each program. "
              "CalculiX's is too kind: its control gave up nearly half of the iterations on mesh 0, and its mesh 2, within 0.1 %, once took 1,341 s "

@@ -132,9 +132,14 @@ void TomlFile::erase(const std::string &path) {
 const toml::node *TomlFile::find(const std::string &path) const {
   const toml::node *node = &root_;
   if (path.empty()) return node;
-  for (const auto name : split(path, '.')) {
+  for (const auto part : split(path, '.')) {
+    const auto bracket = part.find('[');
     const auto *table = node->as_table();
-    node = table ? table->get(name) : nullptr;
+    node = table ? table->get(part.substr(0, bracket)) : nullptr;
+    if (node && bracket != std::string_view::npos) {
+      const auto *list = node->as_array();
+      node = list ? list->get(std::stoul(std::string(part.substr(bracket + 1)))) : nullptr;
+    }
     if (!node) return nullptr;
   }
   return node;

@@ -25,6 +25,7 @@ public:
   /// "file:line:column" or "--set KEY=VALUE" of a dotted key; the file alone when the key is not there.
   std::string location(const std::string &path) const;
   std::string location_of_key(const std::string &path, const toml::key &key) const;
+  /// `path`: dotted; part "limit[2]" is the third entry of the list "limit". Null: it is not there.
   const toml::node *find(const std::string &path) const;
   const std::string &origin() const { return origin_; }
   /// Whether the key, or a table around it, was set() and does not stand in the file as it was read.

@@ -28,10 +28,20 @@ std::string cure(const std::string &name, std::vector<std::string> known) {
   return known.empty() ? "" : fmt::format("; known: {}", fmt::join(known, ", "));
 }
 
+/// A path as messages have it: of the tables of a list without their numbers, which the line says.
+std::string shown(std::string path) {
+  for (auto at = path.find('['); at != std::string::npos; at = path.find('[')) path.erase(at, path.find(']') + 1 - at);
+  return path;
+}
+
 } // namespace
 
 void TomlReader::fail(const std::string &name, const std::string &what) const {
-  throw InputError(fmt::format("{}: {} {}", file_.location(full(name)), full(name), what));
+  throw InputError(fmt::format("{}: {} {}", file_.location(full(name)), shown(full(name)), what));
+}
+
+void TomlReader::refuse(const std::string &name, const std::string &sentence) const {
+  throw InputError(fmt::format("{}: {}", file_.location(name.empty() ? path_ : full(name)), sentence));
 }
 
 const toml::node *TomlReader::node(const Key &key) {
@@ -50,6 +60,35 @@ void TomlReader::section(const char *name, const std::function<void()> &body) {
   path_ = outer;
 }
 
+std::size_t TomlReader::tables(const char *name, const std::function<void()> &body) {
+  const auto *list = node({name});
+  if (!list) return 0;
+  const std::string form = fmt::format("must be tables, each under a line [[{}]]", shown(full(name))), outer = path_;
+  if (!list->is_array()) fail(name, form);
+  const std::size_t n = list->as_array()->size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::string entry = fmt::format("{}[{}]", name, i);
+    if (!file_.find(full(entry))->is_table()) fail(entry, form);
+    path_ = full(entry);
+    body();
+    refuse_unknown({});
+    path_ = outer;
+  }
+  return n;
+}
+
+void TomlReader::texts(const Key &key, std::vector<std::string> &values) {
+  const auto *found = node(key);
+  if (!found) return;
+  const auto *array = found->as_array();
+  if (!array) fail(key.name, "must be an array of strings, got " + type_name(*found));
+  values.clear();
+  for (const auto &entry : *array) {
+    if (!entry.is_string()) fail(key.name, "must be an array of strings, got " + type_name(entry));
+    values.push_back(entry.as_string()->get());
+  }
+}
+
 void TomlReader::refuse_unknown(const std::vector<std::string> &also) const {
   const auto *node = file_.find(path_);
   if (!node || !node->is_table()) return;
@@ -60,7 +99,8 @@ void TomlReader::refuse_unknown(const std::vector<std::string> &also) const {
     const std::string name(key.str());
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
     throw InputError(fmt::format("{}: unknown key \"{}\"{}{}", file_.location_of_key(full(name), key),
-                                 name.substr(0, 80), path_.empty() ? "" : " in [" + path_ + "]", cure(name, known)));
+                                 name.substr(0, 80), path_.empty() ? "" : " in [" + shown(path_) + "]",
+                                 cure(name, known)));
   }
 }
 

@@ -30,9 +30,18 @@ public:
   void rows(const Key &key, Rows &rows, const std::array<Column, 2> &columns) override;
   void switches(const Key &key, const std::vector<std::pair<std::string, bool *>> &flags) override;
 
+  /// A list of tables, [[name]], the keys of each visited by `body`; others are refused. Returns their number, 0 where
+  /// there is none.
+  std::size_t tables(const char *name, const std::function<void()> &body);
+  void texts(const Key &key, std::vector<std::string> &values);
+  /// A key of any type; null: it is not there.
+  const toml::node *node(const Key &key);
+  bool has(const char *name) const { return file_.find(full(name)) != nullptr; }
+  /// Throws InputError with the place of a key of the table being read, or of that table (empty), and `sentence`.
+  [[noreturn]] void refuse(const std::string &name, const std::string &sentence) const;
+
 private:
   std::string full(const std::string &name) const { return path_.empty() ? name : path_ + "." + name; }
-  const toml::node *node(const Key &key);
   [[noreturn]] void fail(const std::string &name, const std::string &what) const;
   double number_of(const std::string &name, const toml::node &node, Range range) const;
   void refuse_unknown(const std::vector<std::string> &also) const;

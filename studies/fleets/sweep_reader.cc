@@ -87,30 +87,24 @@ private:
   }
 
   void read_fractiles() {
-    const auto *node = file_.root().get("fractiles");
-    if (!node) return;
-    const auto *table = node->as_table();
-    const auto *along = table ? table->get("along") : nullptr;
-    if (!along || !along->is_string()) fail(*node, "[fractiles] needs along = \"KEY\"");
-    only(*table, {"along", "by"}, "fractiles");
-    parts_.fractiles_along = along->as_string()->get();
-    if (!varies(parts_.fractiles_along) && !is_linked(parts_.fractiles_along))
-      fail(*along, fmt::format("fractiles.along: \"{}\" is no key of this sweep", parts_.fractiles_along));
-    if (const auto *by = table->get("by")) parts_.fractiles_by = keys_of_fractiles(*by);
-  }
-  std::vector<std::string> keys_of_fractiles(const toml::node &node) const {
-    const auto *list = node.as_array();
-    if (!list) fail(node, "fractiles.by must be a list of keys");
-    std::vector<std::string> keys;
-    for (const auto &entry : *list) {
-      const std::string key = entry.value_or(std::string());
+    if (!file_.root().get("fractiles")) return;
+    TomlReader reader(file_, "fractiles");
+    std::string &along = parts_.fractiles_along;
+    std::vector<std::string> &by = parts_.fractiles_by;
+    reader.text({"along"}, along);
+    reader.texts({"by"}, by);
+    reader.finish();
+    if (along.empty()) reader.refuse("", "[fractiles] needs along = \"KEY\"");
+    const auto require_known = [&](const char *name, const std::string &key) {
       if (!varies(key) && !is_linked(key))
-        fail(entry, fmt::format("fractiles.by: \"{}\" is no key of this sweep", key));
-      if (key == parts_.fractiles_along || std::find(keys.begin(), keys.end(), key) != keys.end())
-        fail(entry, fmt::format("fractiles.by: \"{}\" is given twice", key));
-      keys.push_back(key);
+        reader.refuse(name, fmt::format("fractiles.{}: \"{}\" is no key of this sweep", name, key));
+    };
+    require_known("along", along);
+    for (auto key = by.begin(); key != by.end(); ++key) {
+      require_known("by", *key);
+      if (*key == along || std::find(by.begin(), key, *key) != key)
+        reader.refuse("by", fmt::format("fractiles.by: \"{}\" is given twice", *key));
     }
-    return keys;
   }
   bool is_linked(const std::string &name) const {
     return std::any_of(parts_.linked.begin(), parts_.linked.end(), [&](const auto &l) { return l.key == name; });

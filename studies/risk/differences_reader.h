@@ -6,7 +6,6 @@
 namespace rimpact::risk {
 
 /// `parts`: the study's, whose systems a difference must tell apart. Throws InputError "file:line:column: ...".
-std::vector<Difference> read_differences(const TomlFile &file, const std::string &origin,
-                                         const fleets::SweepParts &parts);
+std::vector<Difference> read_differences(const TomlFile &file, const fleets::SweepParts &parts);
 
 } // namespace rimpact::risk

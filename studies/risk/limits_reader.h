@@ -6,6 +6,6 @@
 namespace rimpact::risk {
 
 /// Throws InputError "file:line:column: ...".
-std::vector<Limit> read_limits(const TomlFile &file, const std::string &origin);
+std::vector<Limit> read_limits(const TomlFile &file);
 
 } // namespace rimpact::risk

@@ -43,8 +43,8 @@ public:
       fail_at("motions", "a study needs one of motions.table, [[motions.set]] and intensity.levels_g (every record at "
                          "every level)");
     read_hazard();
-    study_.limits = read_limits(file_, origin_);
-    study_.differences = read_differences(file_, origin_, study_.parts);
+    study_.limits = read_limits(file_);
+    study_.differences = read_differences(file_, study_.parts);
     study_.collapse = read_collapse_study(file_, study_.limits);
     check_measure();
     TomlReader bootstrap(file_, "bootstrap");
@@ -96,19 +96,17 @@ private:
   }
 
   void read_hazard() {
-    const auto *points = file_.find("hazard.points");
-    if (!points || !points->is_array())
+    TomlReader reader(file_, "hazard");
+    Rows points;
+    reader.rows({"points"}, points, {Column{si, {-huge, huge}}, Column{si, {-huge, huge}}});
+    reader.finish();
+    if (points.values.empty())
       fail_at("hazard.points", "a study needs [hazard] points = [[S_a in g, return period in years], ...]");
-    only(*file_.find("hazard")->as_table(), {"points"}, "hazard");
-    for (const auto &entry : *points->as_array()) {
-      const auto *pair = entry.as_array();
-      if (!pair || pair->size() != 2) fail(entry, "a point of the hazard is [S_a in g, return period in years]");
-      study_.hazard.push_back({number((*pair)[0], "hazard.points"), number((*pair)[1], "hazard.points")});
-    }
+    for (const auto &[level, years] : points.values) study_.hazard.push_back({level, years});
     try {
       reliability::HazardCurve curve(study_.hazard);
     } catch (const InputError &error) {
-      fail(*points, error.what());
+      fail_at("hazard.points", error.what());
     }
   }
 

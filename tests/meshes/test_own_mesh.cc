@@ -268,6 +268,36 @@ TEST(OwnMesh, AStepFileIsMeshedWithHexahedra) {
   EXPECT_GT(quality(mesh).min_scaled_jacobian, 0.01);
 }
 
+/// A quarter of a ring about the dish and a slider at rest, its lower edge rounded by 2 mm: gmsh's text, in mm.
+void draw_rounded(const std::string &path) {
+  std::ofstream(path) << R"(SetFactory("OpenCASCADE");
+Point(1) = {520, 0, -50}; Point(2) = {560, 0, -50}; Point(3) = {560, 0, 147}; Point(4) = {520, 0, 147};
+Point(5) = {0, 0, 58.25}; Point(6) = {118, 0, 58.25}; Point(7) = {118, 0, 60.25}; Point(8) = {120, 0, 60.25};
+Point(9) = {120, 0, 158.25}; Point(10) = {0, 0, 158.25};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};
+Line(5) = {5, 6}; Circle(6) = {6, 7, 8}; Line(7) = {8, 9}; Line(8) = {9, 10}; Line(9) = {10, 5};
+Curve Loop(1) = {1, 2, 3, 4}; Curve Loop(2) = {5, 6, 7, 8, 9}; Plane Surface(1) = {1}; Plane Surface(2) = {2};
+ring[] = Extrude {{0, 0, 1}, {0, 0, 0}, Pi / 2} { Surface{1}; };
+slider[] = Extrude {{0, 0, 1}, {0, 0, 0}, Pi} { Surface{2}; };
+Physical Volume("plate") = {ring[1]}; Physical Volume("upper_slider") = {slider[1]};
+Physical Surface("fixed") = {ring[2]}; Physical Surface("rim_wall") = {ring[5]}; Physical Surface("sector_end") = {ring[0]};
+Physical Surface("symmetry") = {1, 2, slider[0]}; Physical Surface("slider_side") = {slider[3], slider[4]};
+Physical Surface("top") = {slider[5]};
+)";
+}
+
+/// Cells as long as four roundings follow it all around; thirty a turn of a rounding would be 30,000 tetrahedra.
+TEST(OwnMesh, ARoundedEdgeOfADrawingTakesFewCells) {
+  const TemporaryFile file("rounded.geo");
+  draw_rounded(file.path);
+  MeshOrder options;
+  options.own.file = file.path;
+  options.own.unit = scene::LengthUnit::mm;
+  const HexMesh mesh = rim_mesh(bearing, options);
+  EXPECT_LT(mesh.cells.size(), 20000u);
+  EXPECT_GT(quality(mesh).min_scaled_jacobian, 0.01);
+}
+
 /// The number of the surface of a body that is of this kind, with its middle nearest to a place.
 int surface_near(const nlohmann::json &body, const std::string &kind, const std::array<double, 3> &place) {
   int number = 0;

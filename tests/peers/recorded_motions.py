@@ -40,11 +40,14 @@ ARRAY_7 = ("RSN182_IMPVALL.H_H-E07230", "RSN182_IMPVALL.H_H-E07140", "RSN182_IMP
 MOTIONS = (
     Motion("Sylmar, x", SYLMAR[:1], 0.85, 12), Motion("Newhall, x", NEWHALL[:1], 1.0, 12), Motion("Newhall, x y", NEWHALL, 1.3, 12),
     Motion("Takarazuka, x", ("RSN1119_KOBE_TAZ000",), 1.3, 12), Motion("Sylmar, x y z", SYLMAR, 0.85, 12),
-    Motion("Sylmar, x", SYLMAR[:1], 1.0, 12), Motion("Array 7, x", ARRAY_7[:1], 1.15, 12), Motion("Sylmar, x y z", SYLMAR, 1.0, 12), Motion("Array 7, x y z", ARRAY_7, 1.15, 12),
+    Motion("Sylmar, x", SYLMAR[:1], 1.0, 12), Motion("Array 7, x", ARRAY_7[:1], 1.15, 12), Motion("Sylmar, x y z", SYLMAR, 1.0, 12), Motion("Array 7, x y", ARRAY_7[:2], 1.15, 12),
+    Motion("Array 7, x y z", ARRAY_7, 1.15, 12),
 )
 # Largest travel and hardest push of the rim, theirs over ours: as exported, and with what differs made alike.
 BOUNDS = {"as exported": {"travel": 0.02, "peak": 0.04}, "alike": {"travel": 0.006, "peak": 0.03}}
 SLIP = 0.01  # of friction in both, where they are made alike [mm]
+# The tolerance: nothing damps the swing on the pad's spring, and with 1e-6 it meets the rim of Array 7 x y z 7 % slower.
+ALIKE = ("reduced.normal_force=pad", f"reduced.elastic_slip_mm={SLIP}", "reduced.tolerance=1e-10")
 
 
 def acceleration(name: str) -> tuple[list[float], float]:
@@ -128,7 +131,7 @@ def made() -> Iterator[Row]:
         export(folder, of_law("elastoplastic", identity()))
         exported = pathlib.Path(folder, "impact.py")
         for how, file, settings in (("as exported", PythonFile(exported), ()),
-                                    ("alike", with_slip(exported, SLIP / 1e3), ("reduced.normal_force=pad", f"reduced.elastic_slip_mm={SLIP}"))):
+                                    ("alike", with_slip(exported, SLIP / 1e3), ALIKE)):
             for motion in MOTIONS:
                 yield Row(motion, how, there(file, motion), ours(folder, motion, *settings))
 

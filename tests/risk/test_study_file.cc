@@ -70,6 +70,24 @@ TEST(StudyFile, RefusalsNameFileLineAndColumn) {
   refuse(with(whole, "bearing.surface.a_m = [2.25, 0.5625]", "bearing.surface.b_m = [2.25]"), {"b_m"});
 }
 
+/// Tables of a list are read as every other table: what is unknown, missing or of another type stands with its line.
+TEST(StudyFile, ListsOfTablesAreReadAsTables) {
+  refuse(with(whole, "values = [0.1,", "value = [0.1,"), {"s.toml:11:", "needs values"});
+  refuse(with(whole, "[bootstrap]", "value = 1\n[bootstrap]"),
+         {"s.toml:14:", "unknown key \"value\" in [limit]", "values"});
+  refuse(with(whole, "[0.1, 0.2, 0.39]", "{ from = 0.1, to = 0.4, count = 2.5 }"),
+         {"s.toml:13:", "limit.values.count", "whole number"});
+  refuse(with(whole, "[0.1, 0.2, 0.39]", "{ from = 0.1, to = 0.4 }"), {"s.toml:13:", "limit.values needs count"});
+  refuse(with(whole, "[[limit]]", "[limit]"), {"s.toml:", "limit must be tables", "[[limit]]"});
+  refuse(with(whole, "folders = [\".\"]", "folders = \".\""), {"s.toml:8:", "motions.folders", "array of strings"});
+  refuse(with(whole, "[hazard]", "[[motions.set]]\nlevel = 475\n[hazard]"), {"s.toml:9:", "needs search_results"});
+  refuse(with(whole, "[hazard]", "[[motions.set]]\nlevel = -1\n[hazard]"),
+         {"s.toml:10:", "motions.set.level -1", "> 0"});
+  refuse(with(whole, "reference = 2.25", "reference = true"), {"difference.reference", "must be a number"});
+  const Study even = parse_study(with(whole, "[0.1, 0.2, 0.39]", "{ from = 0.1, to = 0.4, count = 4 }"), "s.toml");
+  EXPECT_EQ(even.limits[0].values, (std::vector<double>{0.1, 0.2, 0.3, 0.4}));
+}
+
 TEST(StudyFile, ShippedStudiesAreTheThesis) {
   const auto size = [](const char *name) {
     const Study study = read_study(std::string(RIMPACT_STUDIES) + "/" + name);

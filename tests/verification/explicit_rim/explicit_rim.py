@@ -2,7 +2,7 @@
 """A window and a push of rung rim by an explicit program of another formulation, on our mesh, against ours.
 
 Its cells have 8 nodes: the vertices of ours, or with --divided all 27, eight cells for one. A run of ours is made by RIMPACT.
-usage: explicit_rim.py RIMPACT PROGRAM FOLDER [--mesh 0] [--divided] [--speed 0.3 | --push] [--friction MU] [--step SECONDS] [--ours MESH ...]"""
+usage: explicit_rim.py RIMPACT PROGRAM FOLDER [--mesh 0] [--divided] [--speed 0.3 | --push] [--friction MU] [--rate-D PER_SECOND] [--step SECONDS] [--ours MESH ...]"""
 import argparse
 import csv
 import json
@@ -139,7 +139,7 @@ def numbers_of(options: argparse.Namespace) -> dict[str, float]:
     return {"shear": E / 2 / (1 + nu), "bulk": E / 3 / (1 - 2 * nu), "yield": 360.0, "hardening": tangent / (1 - tangent / E), "density": 7.85e-9, "mass": 86.952 / 2,
             "speed": 1e3 * options.speed, "step": options.step, "contact": 4 * E / 6, "friction": options.friction, "damping": 300.0 if options.push else 0.0,
             "duration": push_time * 0.75 if options.push else options.duration, "push_time": push_time if options.push else 0.0, "travel": 8.0, "half_width": 562.5, "height": 140.625,
-            "capacity": 400.0}
+            "capacity": 400.0, "rate_D": options.rate_D, "rate_q": 5.0}
 
 
 @dataclass
@@ -166,7 +166,8 @@ def timed(words: Sequence[Any]) -> tuple[str, float]:
 
 
 def settings_of(options: argparse.Namespace, mesh: int) -> list[str]:
-    settings = [f"model.mesh={mesh}", f"bearing.contact.rim={options.friction}", *([] if options.push else [f"excitation.speed_m_per_s={options.speed}"])]
+    settings = [f"model.mesh={mesh}", f"bearing.contact.rim={options.friction}", *([] if options.push else [f"excitation.speed_m_per_s={options.speed}"]),
+                *(['bearing.material.steel.rate="cowper-symonds"', f"bearing.material.steel.rate_D_per_s={options.rate_D}"] if options.rate_D else [])]
     return [word for setting in settings for word in ("--set", setting)]
 
 
@@ -207,6 +208,7 @@ def main() -> int:
     parser.add_argument("rimpact"), parser.add_argument("program"), parser.add_argument("folder", type=pathlib.Path)
     parser.add_argument("--mesh", type=int, default=0), parser.add_argument("--divided", action="store_true"), parser.add_argument("--push", action="store_true")
     parser.add_argument("--speed", type=float, default=0.3), parser.add_argument("--friction", type=float, default=0.0), parser.add_argument("--step", type=float, default=2e-7)
+    parser.add_argument("--rate-D", type=float, default=0.0, help="the steel's, of Cowper and Symonds with q = 5; 0: knows no rate")
     parser.add_argument("--duration", type=float, default=0.045), parser.add_argument("--ours", type=int, nargs="*", default=[], help="meshes of runs of ours beside it")
     parser.add_argument("--gate", type=float, nargs=3, default=(0.04, 0.07, 0.01), help="peak force, depth, rebound")
     options = parser.parse_args()

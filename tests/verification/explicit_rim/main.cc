@@ -59,7 +59,8 @@ int run(const Deck &deck, const std::string &out) {
   const double dt = number.at("step"), end = number.at("duration"), speed = number.at("speed");
   const bool pushes = number.at("push_time") > 0;
   Solid solid(deck.nodes, deck.cells,
-              {number.at("shear"), number.at("bulk"), number.at("yield"), number.at("hardening"), number.at("density")},
+              {number.at("shear"), number.at("bulk"), number.at("yield"), number.at("hardening"), number.at("density"),
+               number.at("rate_D"), number.at("rate_q")},
               dt);
   Contact contact(deck.slider, deck.wall, deck.nodes,
                   {.stiffness = number.at("contact"), .friction = number.at("friction")});

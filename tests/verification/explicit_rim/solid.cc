@@ -48,6 +48,23 @@ struct Gradients {
   }
 };
 
+/// Plastic strain of a step: trial - 3 G gain = (yield + H gain) (1 + (gain / dt / D)^(1/q)). In the root s = gain^(1/q)
+/// it is a convex polynomial, which Newton's method comes down from the gain without a rate.
+double plastic_gain(double trial, double yield, double dt, const Steel &steel) {
+  const double stiff = 3 * steel.shear + steel.hardening, without = (trial - yield) / stiff, q = steel.rate_q;
+  if (steel.rate_D <= 0) return without;
+  const double scale = std::pow(dt * steel.rate_D, -1 / q);
+  double s = std::pow(without, 1 / q);
+  for (int i = 0; i < 60; ++i) {
+    const double gain = std::pow(s, q), slope = q * gain / s, flow = yield + steel.hardening * gain;
+    const double off = stiff * gain + flow * scale * s - (trial - yield);
+    const double less = off / (stiff * slope + steel.hardening * slope * scale * s + flow * scale);
+    s -= less;
+    if (std::abs(less) < 1e-10 * s) break;
+  }
+  return std::pow(s, q);
+}
+
 /// Jaumann's rate, then radial return; the plastic work per volume.
 double update(Point &point, const double L[3][3], double divergence, double dt, const Steel &steel) {
   auto &s = point.stress;
@@ -69,8 +86,8 @@ double update(Point &point, const double L[3][3], double divergence, double dt, 
   const double yield = steel.yield + steel.hardening * point.plastic;
   double work = 0, share = 1;
   if (trial > yield) {
-    const double gain = (trial - yield) / (3 * steel.shear + steel.hardening);
-    share = 1 - 3 * steel.shear * gain / trial, point.plastic += gain, work = gain * (yield + steel.hardening * gain);
+    const double gain = plastic_gain(trial, yield, dt, steel);
+    share = 1 - 3 * steel.shear * gain / trial, point.plastic += gain, work = gain * share * trial;
   }
   for (int i = 0; i < 6; ++i) s[i] = share * e[i] + (i < 3 ? p : 0);
   return work;

@@ -2,7 +2,8 @@
 /// Lagrangian form. mm, N, MPa, t, s.
 ///
 /// Rate of deformation at 8 points of the moved cell, its volume rate that of the whole cell (B-bar, Hughes 1980),
-/// Jaumann's rate, radial return (J2, linear isotropic hardening), lumped mass.
+/// Jaumann's rate, radial return (J2, linear isotropic hardening, on request the rate of Cowper and Symonds), lumped
+/// mass.
 #pragma once
 #include <array>
 #include <vector>
@@ -17,6 +18,7 @@ inline double dot(const Vec3 &a, const Vec3 &b) {
 
 struct Steel {
   double shear, bulk, yield, hardening, density; ///< [MPa], [t/mm^3]; hardening: slope over plastic strain
+  double rate_D = 0, rate_q = 5;                 ///< yield times 1 + (rate / D)^(1/q), D [1/s]; 0: knows no rate
 };
 
 /// Stress, symmetric: xx yy zz xy yz zx, and the equivalent plastic strain.
