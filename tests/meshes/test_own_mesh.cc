@@ -4,6 +4,7 @@
 #include "meshes/rim_mesh.h"
 #include "meshes/stack_mesh.h"
 #include "meshes/surface_list.h"
+#include "scene/script_permission.h"
 
 #include <algorithm>
 #include <cmath>
@@ -290,10 +291,12 @@ Physical Surface("top") = {slider[5]};
 TEST(OwnMesh, ARoundedEdgeOfADrawingTakesFewCells) {
   const TemporaryFile file("rounded.geo");
   draw_rounded(file.path);
+  setenv(scene::script_permission, "1", 1);
   MeshOrder options;
   options.own.file = file.path;
   options.own.unit = scene::LengthUnit::mm;
   const HexMesh mesh = rim_mesh(bearing, options);
+  unsetenv(scene::script_permission);
   EXPECT_LT(mesh.cells.size(), 20000u);
   EXPECT_GT(quality(mesh).min_scaled_jacobian, 0.01);
 }
