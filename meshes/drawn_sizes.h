@@ -14,9 +14,9 @@ struct SizeOn {
   double radius, size;          ///< [m]
 };
 
-/// Of cells meshed from a geometry: fine at first touch, on the wall and on a slider drawn at rest. Elsewhere 30 edges
-/// a turn of round walls, whose straight edges must stay near them, and at the slider's edge such that they leave its
-/// circle by a sixteenth of its rounding. with_pad: of a pad at rest too.
+/// Of cells meshed from a geometry: fine at first touch, on the wall and on a slider drawn at rest. Elsewhere round
+/// walls get 30 edges a turn, so that straight edges stay near them. At the slider's edge they leave its circle by a
+/// sixteenth of its rounding. with_pad: of a pad at rest too.
 std::vector<SizeOn> sizes_of(const scene::OwnMesh &own, const scene::Bearing &bearing, bool with_pad);
 
 /// Largest edge of tetrahedra at (x, y, z), in the file's unit, as gmsh's MathEval reads it: twice the size, for a

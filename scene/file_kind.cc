@@ -12,10 +12,12 @@ namespace {
 constexpr std::array bearing_tables{"surface", "slider", "rim", "plate", "pad", "foot", "material", "contact"};
 constexpr std::array scene_tables{"bearing", "load", "excitation", "model", "reduced", "isolator", "superstructure"};
 
-/// The first of the tables that stands at the root; null: none.
+/// The first of the tables that stands at the root of the file itself, whatever was set beside it; null: none.
 template <class Names> const char *first_of(const TomlFile &file, const Names &names) {
-  const auto found =
-      std::find_if(names.begin(), names.end(), [&](const char *name) { return file.find(name) != nullptr; });
+  const auto found = std::find_if(names.begin(), names.end(), [&](const char *name) {
+    const auto *node = file.find(name);
+    return node && !file.is_set(name) && node->source().begin.line > 0; // a table that a setting made has no line
+  });
   return found == names.end() ? nullptr : *found;
 }
 
@@ -31,15 +33,17 @@ void require_scene(const TomlFile &file) {
                                  file.location("bearing"), given.substr(0, 60), built_in ? "name" : "file",
                                  given.substr(0, 200)));
   }
-  const char *table = first_of(file, bearing_tables);
-  if (!table) return;
-  if (first_of(file, scene_tables) || file.is_set(table))
+  const auto table = std::find_if(bearing_tables.begin(), bearing_tables.end(),
+                                  [&](const char *name) { return file.find(name) != nullptr; });
+  if (table == bearing_tables.end()) return;
+  const char *own = first_of(file, bearing_tables);
+  if (!own || first_of(file, scene_tables))
     throw InputError(
-        fmt::format("{}: [{}] is of a bearing: in a scene it is bearing.{}", file.location(table), table, table));
+        fmt::format("{}: [{}] is of a bearing: in a scene it is bearing.{}", file.location(*table), *table, *table));
   throw InputError(fmt::format("{0}: this is a bearing file ([{1}]), where a scene is wanted: name it in a scene, "
                                "[bearing] with file = \"{2}\" (rimpact "
                                "new DIR writes one), or give it to rimpact main",
-                               file.location(table), table, file.origin()));
+                               file.location(own), own, file.origin()));
 }
 
 void require_bearing(const TomlFile &file) {

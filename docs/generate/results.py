@@ -45,6 +45,7 @@ TABLES = {
         ("tests/verification/stack_push_calculix/baseline.txt", "Push of the bearing against CalculiX", "ctest -L slow -R stack_push_calculix"),
         ("tests/verification/explicit_rim/explicit_rim.txt", "A window by an explicit program of another formulation",
          "tests/verification/explicit_rim/explicit_rim.py build/release/bin/rimpact build/release/bin/explicit_rim FOLDER --mesh 0 --divided --ours 0"),
+        ("tests/verification/explicit_rim/rate_pairs.txt", "What the strain rate changes, by an explicit program and ours", "ctest -L slow -R explicit_rate"),
         ("tests/benchmarks/peers/rim_calculix/push.txt", "Push of the rim against CalculiX", "ctest -L slow -R rim_push"),
         ("tests/benchmarks/peers/rim_calculix/window.txt", "An elastic window against CalculiX", "ctest -L slow -R rim_window_calculix")]),
     "peers": ("OpenSees and GetFEM", [

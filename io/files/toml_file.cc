@@ -3,6 +3,7 @@
 #include "io/files/error.h"
 #include "io/files/text.h"
 #include <algorithm>
+#include <charconv>
 #include <fmt/format.h>
 
 namespace rimpact {
@@ -82,6 +83,14 @@ toml::table parse(const std::string &text, const std::string &origin) {
   }
 }
 
+/// The entry of a list, its number followed by a bracket; null: there is none.
+const toml::node *entry_of(const toml::node &list, std::string_view number) {
+  std::size_t i = 0;
+  const auto read = std::from_chars(number.data(), number.data() + number.size(), i);
+  const auto *array = read.ec == std::errc() ? list.as_array() : nullptr;
+  return array ? array->get(i) : nullptr;
+}
+
 std::string outer(const std::string &path) {
   const auto dot = path.rfind('.');
   return dot == std::string::npos ? "" : path.substr(0, dot);
@@ -136,10 +145,7 @@ const toml::node *TomlFile::find(const std::string &path) const {
     const auto bracket = part.find('[');
     const auto *table = node->as_table();
     node = table ? table->get(part.substr(0, bracket)) : nullptr;
-    if (node && bracket != std::string_view::npos) {
-      const auto *list = node->as_array();
-      node = list ? list->get(std::stoul(std::string(part.substr(bracket + 1)))) : nullptr;
-    }
+    if (node && bracket != std::string_view::npos) node = entry_of(*node, part.substr(bracket + 1));
     if (!node) return nullptr;
   }
   return node;

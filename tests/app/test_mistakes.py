@@ -95,6 +95,7 @@ ROWS = [
     row("an acceleration in m/s2", "check {0}/pulse.toml --set excitation.amplitude_g=7.65", 0, "reaches 7.65 g, beyond any recorded", "no bearing meets its rim faster than 10 m/s",
         "not in m/s2"),
     row("a weight changed, its mass forgotten", with_set("load.vertical_kN=2000"), 0, "2000 is 2.3 times load.mass_kg = 86952", "was one of the two forgotten?"),
+    row("a bearing and a load where a scene is wanted", "check {0}/bearing.toml --set load.vertical_kN=1200", 2, "a bearing file", "a scene is wanted", "rimpact main"),
     row("a bearing where a scene is wanted", "check {0}/bearing.toml", 2, "a bearing file", "a scene is wanted", "file = \"{0}/bearing.toml\"", "rimpact main"),
     row("main with a scene", "main {0}/scene.toml -o {0}/main --set excitation.scal=1.05", 2, "did you mean \"scale\"?"),
     row("a scene where a bearing is wanted", "mesh {0}/scene.toml -o {0}/x.msh", 2, "this is a scene", "a bearing is wanted", "bearing.toml", needs_fe=True),

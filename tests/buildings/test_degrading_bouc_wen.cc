@@ -9,12 +9,12 @@ using Point = DegradingBoucWen::Point;
 namespace {
 
 const DegradingBoucWen degrading{.yield_force = 300,
-                            .yield_deformation = 0.004,
-                            .post_yield = 0.03,
-                            .exponent = 1.7,
-                            .beta = 0.6,
-                            .strength_loss = 0.05,
-                            .stiffness_loss = 0.1};
+                                 .yield_deformation = 0.004,
+                                 .post_yield = 0.03,
+                                 .exponent = 1.7,
+                                 .beta = 0.6,
+                                 .strength_loss = 0.05,
+                                 .stiffness_loss = 0.1};
 
 /// Classical Runge-Kutta of the rates under d(t), `n` steps to t = `end`.
 template <class Path> Point integrate(const DegradingBoucWen &law, Path d, double end, int n) {
@@ -69,7 +69,8 @@ TEST(DegradingBoucWen, TangentIsThatOfTheStage) {
       const auto at = degrading.implicit_step(base, d, base);
       ASSERT_TRUE(std::isfinite(at.force));
       const double slope =
-          (degrading.implicit_step(base, d + h, at.at).force - degrading.implicit_step(base, d - h, at.at).force) / (2 * h);
+          (degrading.implicit_step(base, d + h, at.at).force - degrading.implicit_step(base, d - h, at.at).force) /
+          (2 * h);
       EXPECT_NEAR(at.slope, slope, 1e-6 * degrading.stiffness()) << base.z << " " << by;
     }
 }

@@ -176,11 +176,23 @@ def explicit(options: argparse.Namespace, scene: str) -> Run:
     timed([options.rimpact, "mesh", "--scene", scene, "--curved", "-o", mesh_file, "--quiet", *settings_of(options, options.mesh)])
     write_deck(deck, Mesh(mesh_file, options.divided), numbers_of(options))
     said, seconds = timed([options.program, deck, out])
+    return of_rows(options, out, seconds, said.strip())
+
+
+def kept(options: argparse.Namespace, scene: str) -> Run:
+    """The same, not run again where the program is older than what it wrote."""
+    out = options.folder / f"{scene}-{options.mesh}.csv"
+    if out.exists() and out.stat().st_mtime > pathlib.Path(options.program).stat().st_mtime:
+        return of_rows(options, out, math.nan, "")
+    return explicit(options, scene)
+
+
+def of_rows(options: argparse.Namespace, out: pathlib.Path, seconds: float, note: str) -> Run:
     with open(out) as file:
         rows = [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
     rebound = None if options.push else -rows[-1]["speed_mm_s"] / 1e3 / options.speed
     return Run(f"explicit, mesh {options.mesh}{' divided' if options.divided else ''}", np.array([row["travel_mm"] for row in rows]),
-               np.array([-2e-3 * row["contact_N"] for row in rows]), rebound, seconds, said.strip())
+               np.array([-2e-3 * row["contact_N"] for row in rows]), rebound, seconds, note)
 
 
 def ours(options: argparse.Namespace, scene: str, mesh: int) -> Run:

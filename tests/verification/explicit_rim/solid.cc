@@ -48,8 +48,8 @@ struct Gradients {
   }
 };
 
-/// Plastic strain of a step: trial - 3 G gain = (yield + H gain) (1 + (gain / dt / D)^(1/q)). In the root s = gain^(1/q)
-/// it is a convex polynomial, which Newton's method comes down from the gain without a rate.
+/// Plastic strain of a step: trial - 3 G gain = (yield + H gain) (1 + (gain / dt / D)^(1/q)). In the root s =
+/// gain^(1/q) it is a convex polynomial, which Newton's method comes down from the gain without a rate.
 double plastic_gain(double trial, double yield, double dt, const Steel &steel) {
   const double stiff = 3 * steel.shear + steel.hardening, without = (trial - yield) / stiff, q = steel.rate_q;
   if (steel.rate_D <= 0) return without;
