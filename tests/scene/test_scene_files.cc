@@ -4,6 +4,7 @@
 #include "scene_text.h"
 #include "temporary_folder.h"
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fmt/format.h>
 
@@ -71,7 +72,11 @@ TEST(SceneFiles, ResolvedRecordsRunFromAnywhere) {
 
 TEST(SceneFiles, SylmarAsksForItsRecords) {
   if (std::filesystem::exists("RSN1086_NORTHR_SYL360.AT2")) GTEST_SKIP() << "the records are in the current folder";
+  const char *given = std::getenv("RIMPACT_RECORDS");
+  const std::string folder = given ? given : "";
+  unsetenv("RIMPACT_RECORDS");
   expect_error<DataError>([] { load_scene("sylmar-bidirectional"); }, {"RSN1086_NORTHR_SYL360.AT2", "--set"});
+  if (given) setenv("RIMPACT_RECORDS", folder.c_str(), 1);
 }
 
 const char *const table_text = "[surface]\nkind = 'table'\nfile = 'dish.csv'\n";
