@@ -115,7 +115,7 @@ Answer make_answer(const Calibration &c, const CalibrationOptions &options, cons
   answer.stack = answer_stack(answer);
   answer.table = answer_table(answer.scene, answer.law);
   answer_pair(c, answer);
-  answer.strain = answer_strain(c, runs);
+  answer.strain = answer_strain(c, runs, answer.foot);
   answer.steel_band = options.steel_band;
   const std::vector<StoredStudy> studies = studies_of(c, runs);
   answer.mesh_error = answer_mesh_error(c, runs, studies);

@@ -17,17 +17,29 @@ std::string subject(const JudgedStrain &strain) {
                      1e3 * averaging_radius);
 }
 
-std::string sentence(const AnswerStrain &s) {
+/// Where the joint at the foot goes in a run, which no strain of the steel shows; empty: it bears all.
+std::string breaking_off(const std::optional<AnswerFoot> &foot) {
+  const auto goes = foot ? foot->goes_at() : std::nullopt;
+  if (!goes) return {};
+  if (const auto borne = foot->borne_to())
+    return fmt::format("The rim breaks off its plate between {:.3g} and {:.3g} m/s, where the joint at its foot goes.",
+                       *borne, *goes);
+  return fmt::format("The rim breaks off its plate at {:.3g} m/s or below, where the joint at its foot goes.", *goes);
+}
+
+std::string sentence(const AnswerStrain &s, const std::optional<AnswerFoot> &foot) {
+  const std::string broken = breaking_off(foot), steel = broken + " In one piece with the plate its steel ";
   const auto limit = fmt::format("its limit of {:.3g} %{}", 100 * s.limit,
                                  s.limit_is_assumption ? " (an assumption: take your steel's)" : "");
   if (!s.exceeded())
-    return fmt::format("The rim bears it, up to {:.3g} m/s. {} reaches {}, below {}.", s.rows.back().speed,
-                       subject(s.largest), percent_up(s.largest.largest), limit);
-  return fmt::format("The rim is not shown to bear it. {} reaches {}, beyond {}. {} The model knows no tearing.",
-                     subject(s.largest), percent_up(s.largest.largest), limit,
-                     s.largest_speed_below_limit
-                         ? fmt::format("Up to {:.3g} m/s it stays below.", *s.largest_speed_below_limit)
-                         : fmt::format("It is beyond already at {:.3g} m/s.", s.rows.front().speed));
+    return fmt::format("{} it, up to {:.3g} m/s. {} reaches {}, below {}.",
+                       broken.empty() ? "The rim bears" : steel + "would bear", s.rows.back().speed, subject(s.largest),
+                       percent_up(s.largest.largest), limit);
+  return fmt::format(
+      "{} shown to bear it. {} reaches {}, beyond {}. {} The model knows no tearing.",
+      broken.empty() ? "The rim is not" : steel + "is not", subject(s.largest), percent_up(s.largest.largest), limit,
+      s.largest_speed_below_limit ? fmt::format("Up to {:.3g} m/s it stays below.", *s.largest_speed_below_limit)
+                                  : fmt::format("It is beyond already at {:.3g} m/s.", s.rows.front().speed));
 }
 
 /// The worst of a number of the runs' steel, with the run's speed and the place.
@@ -93,7 +105,8 @@ void judge_rows(AnswerStrain &s, const scene::Bearing &bearing, double lowest) {
 
 } // namespace
 
-std::optional<AnswerStrain> answer_strain(const Calibration &c, const std::vector<const StoredRun *> &runs) {
+std::optional<AnswerStrain> answer_strain(const Calibration &c, const std::vector<const StoredRun *> &runs,
+                                          const std::optional<AnswerFoot> &foot) {
   AnswerStrain s;
   Worst crack, slider;
   for (const StoredRun *run : runs) {
@@ -115,7 +128,7 @@ std::optional<AnswerStrain> answer_strain(const Calibration &c, const std::vecto
   judge_rows(s, bearing, *limit);
   const double limit_of_slider = limit_at(bearing, SteelPlace::slider_edge).value_or(*limit);
   s.places = by_places(c, runs, *limit);
-  s.sentence = sentence(s);
+  s.sentence = sentence(s, foot);
   if (crack.place)
     s.crack_sentence =
         fmt::format("A crack begins at a damage of 1; the runs reach {:.2f}, in {} at {:.3g} m/s ({}; a mean over {:g} "

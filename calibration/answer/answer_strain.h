@@ -4,6 +4,8 @@
 
 namespace rimpact::calibration {
 
-std::optional<AnswerStrain> answer_strain(const Calibration &calibration, const std::vector<const StoredRun *> &runs);
+/// Its sentence begins with the joint at the rim's foot, where that goes in a run.
+std::optional<AnswerStrain> answer_strain(const Calibration &calibration, const std::vector<const StoredRun *> &runs,
+                                          const std::optional<AnswerFoot> &foot);
 
 } // namespace rimpact::calibration

@@ -138,7 +138,7 @@ def _strain(strain: dict[str, Any] | None, foot: dict[str, Any]) -> dict[str, An
         return None
     limit = f"limit {percent(strain.get('limit'), 0, False)}"
     source = "an assumption of ours" if strain.get("limit_is_assumption") else "from the bearing file"
-    return {"exceeded": strain.get("exceeded") is True, "sentence": strain.get("sentence", ""),
+    return {"exceeded": strain.get("exceeded") is True or foot.get("goes_at_m_s") is not None, "sentence": strain.get("sentence", ""),
             "beside": [strain[key] for key in ("crack_sentence", "slider_sentence") if strain.get(key)],
             "places": [*(row["sentence"] for row in strain.get("places") or [] if row.get("sentence")), *([foot["sentence"]] if foot.get("sentence") else [])],
             "limit": f"{limit}, {source}", "largest": percent(strain.get("largest"), 1, False),

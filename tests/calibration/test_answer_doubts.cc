@@ -163,10 +163,18 @@ TEST(AnswerDoubts, TheLawEndsWhereTheRimsFootGoes) {
     foot.use = 0.4 * (i + 1); // beyond 1 at 0.3 m/s
     if (i >= 2) foot.goes_at_force = 8e5 + 1e4 * i;
     runs.push_back(folder.write(scene));
-    amend(runs[i], {{"rung", "rim"}, {"mesh", 1}, {"rim_foot", to_json(foot, scene.bearing.rim.connection)}});
+    amend(runs[i], {{"rung", "rim"},
+                    {"mesh", 1},
+                    {"max_plastic_strain", 0.05},
+                    {"rim_foot", to_json(foot, scene.bearing.rim.connection)}});
   }
   const auto c = calibrate(runs, quick({"signed"}));
   ASSERT_TRUE(c.answer->foot);
+  ASSERT_TRUE(c.answer->strain);
+  EXPECT_EQ(c.answer->strain->sentence.find("The rim breaks off its plate between 0.2 and 0.3 m/s, where the joint at "
+                                            "its foot goes. In one piece with the plate its steel would bear it, up"),
+            0u)
+      << c.answer->strain->sentence;
   EXPECT_NEAR(c.answer->foot->runs.gone.expected.value(), 0.25, 1e-9);
   EXPECT_NEAR(c.answer->law.fitted_to, 0.2, 1e-3) << "the law ends there";
   EXPECT_LE(c.answer->law.valid_to.value_or(0), 0.2 + 1e-3);
