@@ -1,6 +1,8 @@
 // The parts of an answer's errors: all named, none silently zero, each with where it is from or the command that tells
 // it.
 #include "answer_runs.h"
+#include "calibration/answer/answer_json.h"
+#include "calibration/answer/answer_text.h"
 #include "calibration/answer/kept_errors.h"
 #include "scene/bearing_catalogue.h"
 #include "scene/rim_identity.h"
