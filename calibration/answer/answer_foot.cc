@@ -58,17 +58,13 @@ std::string sentence(const AnswerFoot &f) {
 }
 
 std::string doubt(const AnswerFoot &f) {
-  const auto goes = f.goes_at(), borne = f.borne_to();
-  if (!goes) return {};
-  const std::string joint = in_words(f.connection), force = fmt::format("{:.4g} kN", *f.goes_at_force / 1e3);
-  if (!borne)
-    return fmt::format(
-        "The joint at the rim's foot ({}) goes at {:.3g} m/s or below, at a rim force of {}: runs beyond "
-        "are those of a rim in one piece with its plate, and the law ends at that force.",
-        joint, *goes, force);
-  return fmt::format("The joint at the rim's foot ({}) goes between {:.3g} and {:.3g} m/s, at a rim force of {}: runs "
-                     "beyond are those of a rim in one piece with its plate, and the law ends at {:.3g} m/s.",
-                     joint, *borne, *goes, force, *borne);
+  if (!f.goes_at()) return {};
+  const auto borne = f.borne_to();
+  return fmt::format(
+      "The joint at the rim's foot ({}) goes {}, at a rim force of {:.4g} kN: runs beyond are those of a "
+      "rim in one piece with its plate, and the law ends at {}.",
+      in_words(f.connection), f.goes_in_words(), *f.goes_at_force / 1e3,
+      borne ? fmt::format("{:.3g} m/s", *borne) : "that force");
 }
 
 } // namespace
@@ -94,6 +90,13 @@ std::optional<double> AnswerFoot::borne_to() const {
     if (!beyond && goes_at()) fastest = row.speed;
   }
   return fastest;
+}
+
+std::string AnswerFoot::goes_in_words() const {
+  const auto goes = goes_at(), borne = borne_to();
+  if (!goes) return {};
+  return borne ? fmt::format("between {:.3g} and {:.3g} m/s", *borne, *goes)
+               : fmt::format("at {:.3g} m/s or below", *goes);
 }
 
 std::optional<AnswerFoot> answer_foot(const Calibration &c, const std::vector<const StoredRun *> &runs,

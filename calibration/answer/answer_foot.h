@@ -33,6 +33,7 @@ struct AnswerFoot {
   /// Fastest run that bears it, and is slower than where the twins go on a straight line between them [m/s]; none: no
   /// run, or all of them.
   std::optional<double> borne_to() const;
+  std::string goes_in_words() const; ///< between or below which speeds; empty: the foot bears all
 };
 
 /// None: no run tells.

@@ -19,12 +19,8 @@ std::string subject(const JudgedStrain &strain) {
 
 /// Where the joint at the foot goes in a run, which no strain of the steel shows; empty: it bears all.
 std::string breaking_off(const std::optional<AnswerFoot> &foot) {
-  const auto goes = foot ? foot->goes_at() : std::nullopt;
-  if (!goes) return {};
-  if (const auto borne = foot->borne_to())
-    return fmt::format("The rim breaks off its plate between {:.3g} and {:.3g} m/s, where the joint at its foot goes.",
-                       *borne, *goes);
-  return fmt::format("The rim breaks off its plate at {:.3g} m/s or below, where the joint at its foot goes.", *goes);
+  const std::string goes = foot ? foot->goes_in_words() : "";
+  return goes.empty() ? "" : fmt::format("The rim breaks off its plate {}, where the joint at its foot goes.", goes);
 }
 
 std::string sentence(const AnswerStrain &s, const std::optional<AnswerFoot> &foot) {

@@ -12,6 +12,7 @@ import pathlib
 import sys
 
 import numpy as np
+from extrapolation import extrapolated
 from kept_run import finish, gate, kept_run
 
 TRAVEL = 4.0  # mm
@@ -81,11 +82,10 @@ def push(program, folder, *settings, options=()):
     return Push(kept_run(program, "run", "rim-push", folder, scene, ["--no-fields", *options]), folder)
 
 
-def extrapolated(values):
-    """Of three meshes, each with half the cells of the one before along an edge."""
+def limit(values):
+    """What three meshes tend to; the finest one's where they do not converge."""
     coarse, middle, fine = values
-    ratio = (coarse - middle) / (middle - fine)
-    return fine - (middle - fine) / (ratio - 1) if ratio > 1.5 else fine
+    return extrapolated(values) if (coarse - middle) / (middle - fine) > 1.5 else fine
 
 
 def main(program, folder, sizes=SIZES):
@@ -94,7 +94,7 @@ def main(program, folder, sizes=SIZES):
     drawn = folder / "drawn.geo"
     drawn.write_text(drawing())
     ours = {mesh: push(program, folder / f"mesh{mesh}", options=["--mesh", str(mesh)]) for mesh in MESHES}
-    exact = [extrapolated([getattr(run, what) for run in ours.values()]) for what in ("deepest", "mean")]
+    exact = [limit([getattr(run, what) for run in ours.values()]) for what in ("deepest", "mean")]
     theirs = {size: push(program, folder / f"tetrahedra{size:g}", f'model.own_mesh.file="{drawn}"', 'model.own_mesh.unit="mm"', f"model.own_mesh.contact_size_mm={size}",
                          options=["--allow-script"]) for size in sizes}
     lines = [HEAD, *(run.line(f"built-in {mesh}", exact) for mesh, run in ours.items()), *(run.line(f"contact {size:g} mm", exact) for size, run in theirs.items())]

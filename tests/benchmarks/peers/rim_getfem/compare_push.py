@@ -20,6 +20,9 @@ sys.path.insert(0, str(HERE.parent / "rim_calculix"))
 from compare_rim_push import SKIPPED, Run, arguments, missed, reporter, run_ccx, run_ours, table, timed  # noqa: E402
 from getfem_here import lacks_getfem  # noqa: E402
 
+sys.path.insert(0, str(HERE.parents[2] / "verification"))
+from extrapolation import extrapolated  # noqa: E402
+
 GATES = {"largest difference of force": 0.02, "mean difference of force": 0.005, "difference of unloading stiffness": 0.03}
 WANTED = 0.01  # of the speed table
 
@@ -39,12 +42,6 @@ def differences(ours: Run, other: Run) -> list[tuple[str, float]]:
     """Ours over theirs, less one."""
     of = ours.loading() / other.loading() - 1
     return list(zip(GATES, (float(of[np.argmax(np.abs(of))]), float(np.mean(of)), ours.unloading_stiffness() / other.unloading_stiffness() - 1)))
-
-
-def extrapolated(forces: Sequence[float]) -> float:
-    """Of three meshes, each a given share finer than the last, whose error falls by one power: Aitken's."""
-    a, b, c = forces
-    return c - (c - b) ** 2 / (c - 2 * b + a)
 
 
 def time_to(runs: Sequence[tuple[float, float]], wanted: float) -> float:
