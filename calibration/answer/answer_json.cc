@@ -148,6 +148,8 @@ json places_json(const std::vector<PlaceStrain> &places) {
     list.push_back({{"place", word(at.place)},
                     {"damage", at.damage},
                     {"damage_at_m_s", at.damage_speed},
+                    {"damage_bao_wierzbicki", at.locus_damage},
+                    {"damage_bao_wierzbicki_at_m_s", at.locus_speed},
                     {"strain", at.strain},
                     {"strain_at_m_s", at.strain_speed},
                     {"crack", passing_json(at.crack)},

@@ -10,6 +10,8 @@
 namespace rimpact::calibration {
 namespace {
 
+constexpr const char *by_johnson_and_cook = "Johnson and Cook", *by_bao_and_wierzbicki = "Bao and Wierzbicki";
+
 /// What of the rim a strain is of.
 std::string subject(const JudgedStrain &strain) {
   if (!strain.place) return "The plastic strain of some body, the slider perhaps,";
@@ -47,34 +49,65 @@ struct Worst {
   }
 };
 
-PlaceStrain place_strain(SteelPlace place, const BySpeed &damage, const BySpeed &strain, double limit) {
+/// Means over averaging_radius of a place in all runs, by speed.
+struct MeansBySpeed {
+  BySpeed damage, locus_damage, strain;
+
+  void take(double speed, const SteelAtPlace &at) {
+    damage.emplace_back(speed, at.averaged_damage);
+    locus_damage.emplace_back(speed, at.averaged_locus_damage);
+    strain.emplace_back(speed, at.averaged);
+  }
+  void sort() {
+    for (auto *values : {&damage, &locus_damage, &strain}) std::sort(values->begin(), values->end());
+  }
+  /// The larger damage of each run.
+  BySpeed worse() const {
+    BySpeed result = damage;
+    for (std::size_t i = 0; i < result.size(); ++i)
+      result[i].second = std::max(result[i].second, locus_damage[i].second);
+    return result;
+  }
+};
+
+/// "damage 0.14 at 0.5 m/s (by Bao and Wierzbicki; 0.07 by Johnson and Cook)"
+std::string damage_in_words(const PlaceStrain &at) {
+  const bool by_locus = at.locus_damage > at.damage;
+  const std::string other = at.locus_damage == 0 ? "" // not known, or as nothing as the other
+                                                 : fmt::format("; {:.2f} by {}", std::min(at.damage, at.locus_damage),
+                                                               by_locus ? by_johnson_and_cook : by_bao_and_wierzbicki);
+  return fmt::format("damage {:.2f} at {:.3g} m/s (by {}{})", std::max(at.damage, at.locus_damage),
+                     by_locus ? at.locus_speed : at.damage_speed,
+                     by_locus ? by_bao_and_wierzbicki : by_johnson_and_cook, other);
+}
+
+PlaceStrain place_strain(SteelPlace place, const MeansBySpeed &of, double limit) {
   const auto largest = [](const BySpeed &values) {
     return *std::max_element(values.begin(), values.end(),
                              [](const auto &a, const auto &b) { return a.second < b.second; });
   };
-  PlaceStrain at{.place = place, .crack = passing(damage, 1.0), .limit = passing(strain, limit), .sentence = {}};
-  std::tie(at.damage_speed, at.damage) = largest(damage);
-  std::tie(at.strain_speed, at.strain) = largest(strain);
-  at.sentence = fmt::format("{}: damage {:.2f} at {:.3g} m/s, 1 {}; strain {} at {:.3g} m/s, its limit of {:.3g} % {}",
-                            description(place), at.damage, at.damage_speed, in_words(at.crack), percent_up(at.strain),
-                            at.strain_speed, 100 * limit, in_words(at.limit));
+  PlaceStrain at{
+      .place = place, .crack = passing(of.worse(), 1.0), .limit = passing(of.strain, limit), .sentence = {}};
+  std::tie(at.damage_speed, at.damage) = largest(of.damage);
+  std::tie(at.locus_speed, at.locus_damage) = largest(of.locus_damage);
+  std::tie(at.strain_speed, at.strain) = largest(of.strain);
+  at.sentence =
+      fmt::format("{}: {}, 1 {}; strain {} at {:.3g} m/s, its limit of {:.3g} % {}", description(place),
+                  damage_in_words(at), in_words(at.crack), percent_up(at.strain), at.strain_speed, 100 * limit,
+                  in_words(at.limit));
   return at;
 }
 
-/// Of all runs, means over averaging_radius.
 std::vector<PlaceStrain> by_places(const Calibration &c, const std::vector<const StoredRun *> &runs, double limit) {
-  std::map<SteelPlace, std::pair<BySpeed, BySpeed>> values;
+  std::map<SteelPlace, MeansBySpeed> values;
   for (const StoredRun *run : runs) {
     if (run->impacts.empty()) continue;
-    for (const auto &[place, at] : c.facts.at(run->folder).steel) {
-      values[place].first.emplace_back(run->approach_speed(), at.averaged_damage);
-      values[place].second.emplace_back(run->approach_speed(), at.averaged);
-    }
+    for (const auto &[place, at] : c.facts.at(run->folder).steel) values[place].take(run->approach_speed(), at);
   }
   std::vector<PlaceStrain> result;
-  for (auto &[place, both] : values) {
-    std::sort(both.first.begin(), both.first.end()), std::sort(both.second.begin(), both.second.end());
-    result.push_back(place_strain(place, both.first, both.second, limit_at(c.scene.bearing, place).value_or(limit)));
+  for (auto &[place, means] : values) {
+    means.sort();
+    result.push_back(place_strain(place, means, limit_at(c.scene.bearing, place).value_or(limit)));
   }
   return result;
 }
@@ -113,7 +146,7 @@ std::optional<AnswerStrain> answer_strain(const Calibration &c, const std::vecto
     s.rows.push_back({run->approach_speed(), depth, *facts.strain});
     for (const auto &[place, at] : facts.steel)
       if (is_of_the_rim(place))
-        crack.take(at.averaged_damage, run->approach_speed(), place);
+        crack.take(std::max(at.averaged_damage, at.averaged_locus_damage), run->approach_speed(), place);
       else
         slider.take(at.averaged, run->approach_speed(), place);
   }
@@ -128,9 +161,11 @@ std::optional<AnswerStrain> answer_strain(const Calibration &c, const std::vecto
   if (crack.place)
     s.crack_sentence =
         fmt::format("A crack begins at a damage of 1; the runs reach {:.2f}, in {} at {:.3g} m/s ({}; a mean over {:g} "
-                    "mm). No crack is in the model: beyond 1 its forces are no result.",
+                    "mm, which on the reference bearing the next finer mesh moves by up to {:.0f} %). No crack is in "
+                    "the model: beyond 1 its forces are no result.",
                     crack.value, description(*crack.place), crack.speed,
-                    constants_of(bearing.steel_of(part_of(*crack.place))), 1e3 * averaging_radius);
+                    constants_of(bearing.steel_of(part_of(*crack.place))), 1e3 * averaging_radius,
+                    100 * damage_mesh_change);
   if (slider.value > limit_of_slider)
     s.slider_sentence = fmt::format("The slider's edge is crushed, by {} at {:.3g} m/s: plan to replace the slider.",
                                     percent_up(slider.value), slider.speed);

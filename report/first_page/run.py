@@ -1,7 +1,6 @@
 """The result of one run on its first page: peaks, the response, the building it carries, whether the steel bears it."""
 from typing import Any
 
-from ..bearing import assumed_keys
 from ..context import Context
 from ..figures import response_panels
 from ..numbers import DASH, fixed, integer, is_number, percent, scaled, sig
@@ -59,7 +58,7 @@ def _building(run: Run) -> list[list[str]]:
 
 
 def _strain(run: Run) -> dict[str, Any] | None:
-    limit = run.summary.get("strain_limit") or _from_scene(run)
+    limit = run.summary.get("strain_limit")
     if not limit or not is_number(limit.get("limit")):
         return None
     source = "an assumption of ours" if limit.get("assumption") else "from the bearing file"
@@ -79,15 +78,6 @@ def _foot(foot: dict[str, Any] | None) -> dict[str, Any] | None:
         return {"exceeded": foot.get("exceeded") is True, "sentence": f"{foot.get('in_words')}: used to {fixed(foot['use'], 2)}, it goes at 1; {carried}."}
     return {"exceeded": False, "sentence": f"Taken as one piece with the plate, an assumption; {carried}; two fillet welds would need a throat of "
                                            f"{fixed(foot.get('needed_throat_mm'), 0)}\u00a0mm."}
-
-
-def _from_scene(run: Run) -> dict[str, Any] | None:
-    """Of a run whose summary does not judge its strain: the scene's own limit."""
-    limit, largest = run.get("bearing", "material", "steel", "strain_limit"), run.summary.get("max_plastic_strain")
-    if not is_number(limit) or not is_number(largest):
-        return None
-    return {"limit": limit, "largest": largest, "exceeded": largest > limit,
-            "assumption": "material.steel.strain_limit" in assumed_keys(run.scene_text, run.scene)}
 
 
 def _law(run: Run) -> str:

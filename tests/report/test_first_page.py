@@ -140,10 +140,11 @@ class Doubts(SmallResults):
 
     def test_a_run_strained_beyond_its_limit_says_so(self):
         self.results()
-        name = self.path("runs/window-0.20/scene.toml")
+        name = self.path("runs/window-0.20/summary.json")
         with open(name, encoding="utf-8") as file:
-            scene = file.read()
-        self.write("runs/window-0.20/scene.toml", scene.replace("[load]", "strain_limit = 1e-6 # assumption\n[load]"))
+            summary = json.load(file)
+        summary["strain_limit"] = {"limit": 1e-6, "largest": 0.012, "place": None, "exceeded": True, "assumption": True}
+        self.write("runs/window-0.20/summary.json", json.dumps(summary))
         _, text = first_page(build(self.path("runs/window-0.20"))[0])
         self.assertRegex(text, r"! Steel\. The largest plastic strain of any body, \d+\.\d\u202f%, exceeds the limit of 0\u202f% \(an assumption of ours\)")
 

@@ -152,9 +152,12 @@ def of_the_steel(answer: dict[str, Any], rows: list[dict[str, Any]], runs: Summa
     for name, run in runs.items():
         yield near(speeds[name], again.approach(run), 2e-3), f"{name} arrives at {again.approach(run):.4g} m/s"
     for row in strain["places"]:
-        damage, plastic = (again.steel_by_speed(runs, speeds, row["place"], key) for key in ("averaged_damage", "averaged_plastic_strain"))
-        (v, d), (w, p) = (max(values, key=lambda at: at[1]) for values in (damage, plastic))
-        yield said_in(words, f"damage {d:.2f} at {v:.3g} m/s, 1 {again.passed(damage, 1.0)}; strain {upwards(p)} at {w:.3g} m/s, "
+        damage, locus, plastic = (again.steel_by_speed(runs, speeds, row["place"], key)
+                                  for key in ("averaged_damage", "averaged_damage_bao_wierzbicki", "averaged_plastic_strain"))
+        worse = [(speed, max(d, b)) for (speed, d), (_, b) in zip(damage, locus)]
+        (v, d), (w, p) = (max(values, key=lambda at: at[1]) for values in (worse, plastic))
+        yield said_in(words, f"damage {d:.2f} at {v:.3g} m/s (by")
+        yield said_in(words, f", 1 {again.passed(worse, 1.0)}; strain {upwards(p)} at {w:.3g} m/s, "
                              f"its limit of {100 * strain['limit']:.3g} % {again.passed(plastic, strain['limit'])}")
     for name, value in judged.items():
         if value > strain["limit"] and re.search(rf"\b{re.escape(name)}:", words):
