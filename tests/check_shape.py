@@ -10,7 +10,7 @@ import sys
 from collections.abc import Iterator
 
 LONG = 40  #: lines of a function
-MOST = {"sources without a header of their own": 13, "functions over 40 lines": 18}  #: today's counts: lower them with the counts
+MOST = {"sources without a header of their own": 8, "functions over 40 lines": 16}  #: today's counts: lower them with the counts
 CATALOGUED = ("app/verbs/verb_*.cc", "io/records/record_*.cc")  #: declared by app/verbs/catalogue.h, io/records/record.h
 NO_FUNCTION = re.compile(r"^(?:namespace|struct|class|enum|union|extern|template <|using|#|//|/\*|\}|constexpr \w+ \w+\[|const \w+ \w+\[|static const)")
 

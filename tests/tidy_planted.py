@@ -20,6 +20,7 @@ FILES = {
     "ours/module/shape.h": SHAPE,
     "ours/module/user.cc": f"#include \"module/shape.h\"\n{USER}",
     "ours/module/borrower.cc": f"#include \"library/shape.h\"\n{USER}",
+    "ours/module/named.cc": "class Beam {\npublic:\n  double E = 1;\n  double modulus() const { return E * area; }\n\nprivate:\n  double area = 1;\n};\n",
     "ours/module/broken.cc": "#include \"module/missing.h\"\n",
 }
 #: What holds no fault, and what holds one that is a library's.
@@ -28,6 +29,7 @@ CLEAN = ("ours/module/clean.cc", "ours/module/borrower.cc")
 EXPECTED = (("ours/module/moved.cc", "bugprone-use-after-move", "ours/module/moved.cc"),
             ("ours/module/null.cc", "clang-analyzer-core.NullDereference", "ours/module/null.cc"),
             ("ours/module/shape.h", "modernize-use-override", "ours/module/user.cc"),
+            ("ours/module/named.cc", "readability-identifier-naming", "ours/module/named.cc"),
             ("ours/module/broken.cc", "clang-diagnostic-error", "ours/module/broken.cc"))
 
 

@@ -1,23 +1,19 @@
 #include "fe_contact/drive/flight_run.h"
 #include "fe_contact/drive/fields.h"
-#include "fe_contact/drive/forces.h"
 #include "fe_contact/drive/record_checkpoint.h"
 #include "fe_contact/drive/sample_row.h"
 #include "fe_contact/drive/solver_counts.h"
-#include "fe_contact/drive/state_fields.h"
-#include "fe_contact/engine/solid_fields.h"
 
 #include "io/files/error.h"
+#include "responses/open_impact.h"
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 
 namespace rimpact::fe {
 namespace {
 
-/// Arcs closer than this share one yielded state [rad].
-constexpr double arc_width = 0.14;
 constexpr double shortest_stretch = 1e-12; ///< less than this before its end a scene has ended [s]
-constexpr double nearest_look = 1e-3;      ///< a dented arc's true gap is computed within this of touch [m]
 constexpr int steps_a_checkpoint = 25;     ///< in contact
 
 void visit_bearing(StateVisitor &v, reduced::BearingState &bearing, double end) {
@@ -34,10 +30,11 @@ void visit_bearing(StateVisitor &v, reduced::BearingState &bearing, double end) 
 
 FlightRun::FlightRun(const scene::Scene &scene, const planning::Plan &plan, const RunOptions &options,
                      BearingSystem &system, RunRecord &record)
-    : Drive(options, record, steps_a_checkpoint), scene_(scene), plan_(plan), system_(system),
-      step_options_(step_options(system.model().rung, scene, plan)), model_(scene), loads_(scene, model_),
-      bearing_(model_.initial_state()), support_(loads_.initial_support()),
-      touch_height_(model_.height(scene.bearing.lateral_capacity(), 0).z) {}
+    : Drive(options, record, steps_a_checkpoint), scene_(scene), plan_(plan), system_(system), model_(scene),
+      bearing_(model_.initial_state()),
+      arcs_(scene.bearing, system, model_.height(scene.bearing.lateral_capacity(), 0).z,
+            MassLoads(scene, model_).initial_support() == Support::held),
+      contact_(scene, plan, system, arcs_, model_) {}
 
 void FlightRun::run() {
   if (options_.resume)
@@ -59,37 +56,9 @@ void FlightRun::start() {
   record_.ledger.kinetic = record_.ledger.initial;
 }
 
-double FlightRun::wall_gap(const Eigen::Vector3d &u) const {
-  const double plain = capacity() - u.head<2>().norm();
-  if (plain > nearest_look) return plain;
-  const Arc *arc = arc_at(u);
-  return arc && arc->yielded ? arc->frame.rate_ratio() * system_.wall_gap(arc->state, arc->frame.master(u)) : plain;
-}
-
-const Arc *FlightRun::arc_at(const Eigen::Vector3d &u) const {
-  const double direction = std::atan2(u.y(), u.x());
-  for (const auto &arc : arcs_)
-    if (std::abs(std::remainder(direction - arc.frame.direction, 2 * M_PI)) < arc_width) return &arc;
-  return nullptr;
-}
-
-void FlightRun::choose_arc() {
-  if (const Arc *known = arc_at(bearing_.u)) {
-    current_ = static_cast<std::size_t>(known - arcs_.data());
-    return;
-  }
-  const double direction = std::atan2(bearing_.u.y(), bearing_.u.x());
-  for (const auto &arc : arcs_)
-    if (std::abs(std::remainder(direction - arc.frame.direction, 2 * M_PI)) < 3 * arc_width)
-      record_.warnings.push_back("two touched arcs lie within " + std::to_string(int(3 * arc_width * 180 / M_PI)) +
-                                 " degrees of one another; each was solved with its own yielded state");
-  arcs_.push_back({frame_at(direction), system_.at_rest(), false});
-  current_ = arcs_.size() - 1;
-}
-
 bool FlightRun::fly() {
   if (window() && bearing_.t == 0) return true; // a window starts at touch
-  const auto stop = [this](const Eigen::Vector3d &u) { return wall_gap(u); };
+  const auto stop = [this](const Eigen::Vector3d &u) { return arcs_.wall_gap(u); };
   const double chunk = 0.25; // for progress and Ctrl-C [s]
   while (bearing_.t < end_time()) {
     if (is_interrupted(options_)) throw Interrupted();
@@ -99,7 +68,7 @@ bool FlightRun::fly() {
     record_.ledger.elastic = before.elastic; // what the arcs keep
     record_.ledger.plastic = before.plastic;
     if (options_.progress)
-      options_.progress({bearing_.t, end_time(), chunk, 0, wall_gap(bearing_.u), 0.0, Phase::flight});
+      options_.progress({bearing_.t, end_time(), chunk, 0, arcs_.wall_gap(bearing_.u), 0.0, Phase::flight});
     if (end.stopped) return true;
   }
   return false;
@@ -117,11 +86,11 @@ reduced::FlightEnd FlightRun::reduced_flight(double t_end, const std::function<d
 }
 
 void FlightRun::pad_fe_signals() {
-  double strain = 0;
-  for (const auto &arc : arcs_) strain = std::max(strain, largest_plastic_strain(arc.state.history));
   auto &r = record_.response;
   auto values = energy_signals(record_.ledger);
-  values.insert(values.end(), {{"plastic_strain_max", strain}, {"contact_pressure_max", 0}, {"newton_iterations", 0}});
+  values.insert(
+      values.end(),
+      {{"plastic_strain_max", arcs_.largest_plastic_strain()}, {"contact_pressure_max", 0}, {"newton_iterations", 0}});
   for (const auto &[name, value] : values) r.series(name).resize(r.size(), value);
   if (system_.model().foot.exists())
     for (const auto &[name, value] : foot_signals(FootForces::none(scene_.bearing)))
@@ -136,22 +105,112 @@ void FlightRun::pad_fe_signals() {
 }
 
 void FlightRun::sample(int iterations, const MassForces &forces, double dt) {
-  const Eigen::Vector3d rim = rim_force();
-  fe::sample(record_, system_, arc().state,
+  fe::sample(record_, system_, arcs_.current().state,
              {bearing_.t, bearing_.u, bearing_.v,
-              BearingForces{forces.pendular, forces.friction, rim, std::max(0.0, forces.normal)}, -penetration(),
-              iterations, dt});
+              BearingForces{forces.pendular, forces.friction, contact_.rim_force(), std::max(0.0, forces.normal)},
+              -penetration(), iterations, dt});
 }
 
 void FlightRun::write_fields() {
-  fe::write_fields(system_, arc().state, system_.expand(arc().state), bearing_.t, options_, record_,
-                   arc().frame.direction * 180 / M_PI);
+  const Arc &arc = arcs_.current();
+  fe::write_fields(system_, arc.state, system_.expand(arc.state), bearing_.t, options_, record_,
+                   arc.frame.direction * 180 / M_PI);
 }
 
-SteelReport FlightRun::steel() const {
-  SteelReport worst;
-  for (const Arc &arc : arcs_) keep_worst(worst, steel_of(system_.model(), arc.state, arc.frame));
-  return worst;
+void FlightRun::begin_contact() {
+  const MassForces now = contact_.begin(bearing_, record_.ledger);
+  const double approach_speed = radial_speed();
+  impact_.begin(bearing_.t, bearing_.u, approach_speed);
+  next_step_ = contact_.first_step(approach_speed);
+  in_contact_ = true;
+  if (record_.response.size() == 0) sample(0, now, 0); // a window starts here
+}
+
+void FlightRun::contact() {
+  if (!in_contact_) {
+    if (const auto near = arcs_.choose(bearing_.u)) record_.warnings.push_back(*near);
+    begin_contact();
+  }
+  const double longest = plan_.step_in_contact, smallest = contact_.smallest_step();
+  const MarchReport report = stretch_to(bearing_.t, end_time(), {next_step_, smallest, longest});
+  if (report.finished) return;
+  next_step_ = smallest;
+  save();
+  throw SolverStopped(fmt::format(
+      "the solver stopped at t = {:.6f} s, in contact, with a step of {:.3g} us: {}; partial results are kept; try "
+      "--set model.mesh=2 or a smaller model.step_ms and --resume",
+      report.reached, 1e6 * smallest, report.reason));
+}
+
+double FlightRun::sharp_step(const std::vector<Event> &events) const {
+  const bool any = std::ranges::any_of(events, [](Event event) { return event != Event::miss; });
+  return any ? contact_.finest_step() : 0;
+}
+
+void FlightRun::follow(const SolvedStep &step) {
+  bearing_.t = step.end();
+  contact_.follow(step);
+  book(record_.ledger, contact_.energies());
+  bearing_.u = contact_.displacement();
+  bearing_.v = contact_.speed();
+  sample(step.report.iterations, contact_.forces(), step.dt);
+  const double force = contact_.rim_force().head<2>().norm();
+  impact_.follow(bearing_.t, force, penetration(), contact_.outward_speed());
+  picture(bearing_.t, step.dt);
+  if (options_.progress)
+    options_.progress({bearing_.t, end_time(), step.dt, step.report.iterations, -penetration(), force, Phase::contact});
+  if (contact_.walls_touch()) impact_.touch();
+  refuse_passage();
+  if (const auto sentence = impact_.touched() ? loss_of_balance(record_.ledger, bearing_.t) : std::nullopt)
+    stop_impact(*sentence);
+}
+
+void FlightRun::picture(double t, double dt) {
+  if (impact_.turns(contact_.outward_speed()) || (impact_.touched() && fields_due(t, dt, options_))) write_fields();
+}
+
+bool FlightRun::take(const std::vector<Event> &events) {
+  bool ended = false;
+  for (const Event event : events) {
+    if (event == Event::lift_off) {
+      contact_.lift_off();
+    } else if (event == Event::landing) {
+      contact_.land(record_.ledger);
+      bearing_.v = contact_.speed();
+    } else {
+      end_contact();
+      ended = true;
+    }
+  }
+  return ended;
+}
+
+void FlightRun::refuse_passage() {
+  const Passage passage{.depth = penetration() / arcs_.current().frame.dishes,
+                        .outward_speed = radial_speed(),
+                        .approach_speed = impact_.impact().approach_speed,
+                        .let_go = impact_.touched() && !contact_.walls_touch(),
+                        .may_touch = !window()};
+  const auto sentence = passes(scene_.bearing.rim, passage, bearing_.t);
+  if (sentence) stop_impact(*sentence);
+}
+
+void FlightRun::stop_impact(const std::string &reason) {
+  save();
+  record_.impacts.push_back(left_open(impact_.impact())); // the force may be nil now, so the response does not tell
+  throw SolverStopped(reason);
+}
+
+void FlightRun::end_contact() {
+  impact_.set_rebound(-radial_speed());
+  contact_.rest(record_.ledger);
+  contact_.leave(bearing_);
+  if (impact_.touched()) {
+    record_.impacts.push_back(impact_.impact());
+    write_fields();
+  }
+  in_contact_ = false;
+  save();
 }
 
 void FlightRun::finish() {
@@ -165,27 +224,16 @@ void FlightRun::finish() {
 }
 
 void FlightRun::start_afresh() {
-  if (!arcs_.empty()) system_.start_afresh_at(arc().state);
+  if (!arcs_.empty()) system_.start_afresh_at(arcs_.current().state);
 }
 
 void FlightRun::visit(StateVisitor &v) {
-  constexpr double most_arcs = 1000;
   v.part("bearing", [&] { visit_bearing(v, bearing_, end_time()); });
-  v.choice("support", support_);
-  v.length("arcs", arcs_, most_arcs, [&] { return Arc{frame_at(0), system_.at_rest(), false}; });
-  for (std::size_t k = 0; k < arcs_.size(); ++k)
-    v.part("arc" + std::to_string(k), [&, &arc = arcs_[k]] {
-      v.number("direction", arc.frame.direction, {-7, 7});
-      v.flag("yielded", arc.yielded);
-      fe::visit(v, arc.state);
-    });
-  v.integer("current_arc", current_, 0, std::max(0.0, static_cast<double>(arcs_.size()) - 1));
+  contact_.visit_support(v);
+  arcs_.visit(v);
   v.flag("in_contact", in_contact_);
   v.number("next_step", next_step_, {in_contact_ ? 1e-300 : 0, 1e6});
-  v.number("multiplier", multiplier_);
-  v.number("others_elastic", others_elastic_);
-  v.number("others_plastic", others_plastic_);
-  v.number("lift_height", lift_height_);
+  contact_.visit(v);
   v.part("impact", [&] { impact_.visit(v); });
 }
 

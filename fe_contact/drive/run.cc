@@ -7,7 +7,7 @@
 #include "fe_contact/drive/order.h"
 #include "fe_contact/drive/path_run.h"
 #include "fe_contact/drive/record_checkpoint.h"
-#include "fe_contact/drive/sliding_run.h"
+#include "fe_contact/drive/sliding_replan.h"
 #include "fe_contact/drive/solver_counts.h"
 #include "fe_contact/planning/refusal.h"
 #include "fe_contact/solver/ranks.h"

@@ -5,20 +5,10 @@
 #include "fe_contact/drive/forces.h"
 #include "fe_contact/drive/impact_follower.h"
 #include "fe_contact/drive/motion.h"
-#include "fe_contact/drive/order.h"
-#include "fe_contact/drive/rim_hand_over.h"
+#include "fe_contact/drive/sliding_pace.h"
 #include <optional>
 
 namespace rimpact::fe {
-
-/// Away from the rim, sliding [s].
-constexpr double longest_sliding_step = 0.02;
-/// A slower slider rests, if the scout has done sliding too; the stack rings with half of it [m/s].
-constexpr double sliding_speed = 1e-2;
-
-/// Runs a window, a pulse or a record into `record`. Throws SolverStopped or Interrupted with the record as it stands.
-void run_sliding(const Rung &rung, const scene::Scene &scene, const planning::Plan &plan, const RunOptions &options,
-                 RunRecord &record);
 
 class SlidingRun : public Drive {
 public:
@@ -31,31 +21,18 @@ public:
   void take_over(const SlidingRun &old);
   /// To the end, or to a place where the rim is not meshed, whose direction it returns [rad].
   std::optional<double> run();
-  std::map<std::string, double> time_split() const;
-  SteelReport steel() const { return steel_of(model_, state_); }
-  SolverWork work() const;
+  const SlidingStack &stack() const { return stack_; }
+  SteelReport steel() const { return steel_of(stack_.model(), stack_.state); }
 
 private:
   double end_time() const { return scene_.excitation.duration; }
-  bool all_solid() const { return model_.rung.dish == DishKind::solid; }
-  bool rim_is_solid() const { return near_rim_ || all_solid(); }
-  BearingSystem &active() { return rim_is_solid() ? joined_ : alone_; }
-  const BearingSystem &active() const { return rim_is_solid() ? joined_ : alone_; }
-  Eigen::VectorXd displacements() const; ///< by dof, the held rim's shape included
-  Eigen::Vector3d travel() const;        ///< of the top face from rest on the vertex [m]
-  double gap() const;                    ///< left of the lateral capacity [m]
-  double surface_gap() const;   ///< between the walls as they are once they have touched, before that gap() [m]
-  double closing_speed() const; ///< towards the rim [m/s]
-  bool touching() const;
-  bool rests_at(double t) const;  ///< as the scout has for good
-  double longest_at_turn() const; ///< step [s]
-  bool leaves() const;            ///< the slider has left the rim
+  double surface_gap() const; ///< between the walls as they are once they have touched, before that the gap [m]
+  bool leaves() const;        ///< the slider has left the rim
 
   void march_on();
   /// Of the slider, where the rim it comes to is not meshed. Throws SolverStopped where it cannot be.
   std::optional<double> unmeshed_direction();
   double book_hand_over(const SlidingRun &old);
-  void join();
   void part();
   void follow_impact(const SolvedStep &step);
   void report_lift();
@@ -63,10 +40,9 @@ private:
   void sample(int iterations, double dt);
   void write_fields();
 
-  ContactSystem &system() override { return active(); }
-  SystemState &state() override { return state_; }
-  /// Length instead of a step that would overshoot a turn, the rim's joining or the touch.
-  double clipped(double t, double dt) const override;
+  ContactSystem &system() override { return stack_.active(); }
+  SystemState &state() override { return stack_.state; }
+  double clipped(double t, double dt) const override { return pace_.clipped(t, dt, stack_, resting_, surface_gap()); }
   ContactStepReport solve(double t, double dt) override;
   std::vector<Event> events(const SolvedStep &step) const override;
   Attempt assess(const SolvedStep &step) override;
@@ -76,15 +52,12 @@ private:
 
   const scene::Scene &scene_;
   const planning::Plan plan_;
-  BearingModel model_;
-  BearingSystem alone_;
-  BearingSystem joined_;
+  SlidingStack stack_;
   scene::GroundMotion ground_;
   MotionOptions motion_;
-  SystemState state_;
-  HeldRim held_;
-  bool near_rim_ = false, resting_ = false, reported_lift_ = false;
-  double t_ = 0, rest_height_ = 0, rest_elastic_ = 0, rest_plastic_ = 0;
+  const SlidingPace pace_;
+  bool resting_ = false, reported_lift_ = false;
+  double t_ = 0; ///< [s]
   EnergyScale scale_;
   ImpactFollower impact_;
   double height_before_ = 0, closing_before_ = 0; ///< at the step's start [m], [m/s]

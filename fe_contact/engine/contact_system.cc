@@ -67,7 +67,7 @@ void ContactSystem::prepare(const SystemState &old, const StepTerms &terms) {
     make_pattern(equations_.expand(old.u), old.contacts); // friction was set or taken away
   trial_.contacts = old.contacts;
   for (auto &contact : trial_.contacts)
-    if (terms.expected > 0) SurfaceContact::expect(contact, terms.expected);
+    if (terms.expected > 0) contact.expect(terms.expected);
   has_border_ = false;
   if (terms.remote) border_.multiplier = terms.remote->multiplier;
 }
@@ -229,7 +229,7 @@ bool ContactSystem::stiffen(double factor) {
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
     auto &stiffening = trial_.contacts[i].stiffening;
     const double most =
-        contacts_[i].stiffness_per_area(equations_, stiffness) / contacts_[i].options().law.normal_penalty;
+        contacts_[i].search().stiffness_per_area(equations_, stiffness) / contacts_[i].options().law.normal_penalty;
     if (stiffening * factor > std::max(1.0, most)) continue;
     stiffening *= factor;
     any = true;

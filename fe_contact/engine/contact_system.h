@@ -156,7 +156,7 @@ private:
   const StepTerms *terms_ = nullptr;
   SystemState trial_;
   CellAnswers answers_; ///< of the trial
-  std::vector<SurfaceContact::Augmentation> augmentations_;
+  std::vector<Augmentation> augmentations_;
   Eigen::VectorXd residual_, diagonal_; ///< diagonal: of the last tangent, before what is driven and stabilised
   double rounding_ = 0;                 ///< of the forces [N]
   BorderingConstraint border_;

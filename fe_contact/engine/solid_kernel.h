@@ -20,7 +20,7 @@ template <int n> struct CellKernel {
   void clear(bool with_tangent) {
     std::memset(force, 0, sizeof(force));
     if (with_tangent) std::memset(block, 0, sizeof(block));
-    waiting = 0;
+    waiting_ = 0;
   }
 
   /// F = 1 + sum_a u_a x grad N_a; G: [direction][node].
@@ -37,8 +37,8 @@ template <int n> struct CellKernel {
 
   /// Adds weight * (B^T tau) and, if asked, weight * (B^T c B + grad tau grad).
   void add(const double *G, const Matrix3 &F, double weight, const StressAndTangent &s, bool with_tangent) {
-    double(&g)[3][padded] = gradient[waiting];
-    double(&t)[3][padded] = traction[waiting];
+    double(&g)[3][padded] = gradient_[waiting_];
+    double(&t)[3][padded] = traction_[waiting_];
     const Matrix3 inverse = F.inverse();
     for (int j = 0; j < 3; ++j) {
       for (int a = 0; a < n; ++a)
@@ -57,21 +57,21 @@ template <int n> struct CellKernel {
     const Matrix6 c = weight * s.tangent;
     for (int v = 0; v < 6; ++v)
       for (int b = 0; b < padded; ++b) {
-        cb[0][v][waiting][b] = c(v, 0) * g[0][b] + c(v, 3) * g[1][b] + c(v, 5) * g[2][b];
-        cb[1][v][waiting][b] = c(v, 3) * g[0][b] + c(v, 1) * g[1][b] + c(v, 4) * g[2][b];
-        cb[2][v][waiting][b] = c(v, 5) * g[0][b] + c(v, 4) * g[1][b] + c(v, 2) * g[2][b];
+        cb_[0][v][waiting_][b] = c(v, 0) * g[0][b] + c(v, 3) * g[1][b] + c(v, 5) * g[2][b];
+        cb_[1][v][waiting_][b] = c(v, 3) * g[0][b] + c(v, 1) * g[1][b] + c(v, 4) * g[2][b];
+        cb_[2][v][waiting_][b] = c(v, 5) * g[0][b] + c(v, 4) * g[1][b] + c(v, 2) * g[2][b];
       }
-    if (++waiting == batch) sum_up();
+    if (++waiting_ == batch) sum_up();
   }
 
   /// To be called after the last add(): the blocks are complete then.
   void finish() {
-    if (waiting == 0) return;
-    for (int p = waiting; p < batch; ++p) {
-      std::memset(gradient[p], 0, sizeof(gradient[p]));
-      std::memset(traction[p], 0, sizeof(traction[p]));
+    if (waiting_ == 0) return;
+    for (int p = waiting_; p < batch; ++p) {
+      std::memset(gradient_[p], 0, sizeof(gradient_[p]));
+      std::memset(traction_[p], 0, sizeof(traction_[p]));
       for (int k = 0; k < 3; ++k)
-        for (int v = 0; v < 6; ++v) std::memset(cb[k][v][p], 0, sizeof(cb[k][v][p]));
+        for (int v = 0; v < 6; ++v) std::memset(cb_[k][v][p], 0, sizeof(cb_[k][v][p]));
     }
     sum_up();
   }
@@ -80,17 +80,17 @@ private:
   using PairOfNodes = Lanes[2][3][batch]; ///< their gradients, each value on all lanes
 
   void sum_up() {
-    waiting = 0;
+    waiting_ = 0;
     for (int a = 0; a < padded; a += 2) {
       PairOfNodes ga;
       for (int r = 0; r < 2; ++r)
         for (int j = 0; j < 3; ++j)
-          for (int p = 0; p < batch; ++p) ga[r][j][p] = Lanes{} + gradient[p][j][a + r];
+          for (int p = 0; p < batch; ++p) ga[r][j][p] = Lanes{} + gradient_[p][j][a + r];
       for (int b = a / 4 * 4; b < padded; b += 4) {
         Lanes geometric[2] = {};
         for (int p = 0; p < batch; ++p)
           for (int j = 0; j < 3; ++j)
-            for (int r = 0; r < 2; ++r) geometric[r] += ga[r][j][p] * lanes(&traction[p][j][b]);
+            for (int r = 0; r < 2; ++r) geometric[r] += ga[r][j][p] * lanes(&traction_[p][j][b]);
         for (int r = 0; r < 2; ++r)
           for (int i = 0; i < 3; ++i) lanes(&block[i][i][a + r][b]) += geometric[r];
       }
@@ -107,7 +107,7 @@ private:
         Lanes sum[2] = {lanes(&block[i][k][a][b]), lanes(&block[i][k][a + 1][b])};
         for (int p = 0; p < batch; ++p)
           for (int j = 0; j < 3; ++j) {
-            const Lanes c = lanes(&cb[k][voigt[i][j]][p][b]);
+            const Lanes c = lanes(&cb_[k][voigt[i][j]][p][b]);
             sum[0] += ga[0][j][p] * c;
             sum[1] += ga[1][j][p] * c;
           }
@@ -118,11 +118,11 @@ private:
 
   static Lanes &lanes(double *x) { return *reinterpret_cast<Lanes *>(x); }
 
-  // Of points not yet in the blocks, `waiting` of them:
-  int waiting = 0;
-  alignas(32) double gradient[batch][3][padded]; ///< of the shape functions, in the deformed body
-  alignas(32) double traction[batch][3][padded]; ///< tau g_a
-  alignas(32) double cb[3][6][batch][padded];    ///< c B_b, [component k][stress v][point][node b]
+  // Of points not yet in the blocks, `waiting_` of them:
+  int waiting_ = 0;
+  alignas(32) double gradient_[batch][3][padded]; ///< of the shape functions, in the deformed body
+  alignas(32) double traction_[batch][3][padded]; ///< tau g_a
+  alignas(32) double cb_[3][6][batch][padded];    ///< c B_b, [component k][stress v][point][node b]
 };
 
 } // namespace rimpact::fe

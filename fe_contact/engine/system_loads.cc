@@ -42,7 +42,7 @@ double ContactSystem::time_to_touch(const SystemState &state) const {
   double time = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
     if (state.reports[i].stick + state.reports[i].slip > 0) return std::numeric_limits<double>::infinity();
-    time = std::min(time, contacts_[i].time_to_touch(u, v, state.contacts[i].opposite));
+    time = std::min(time, contacts_[i].search().time_to_touch(u, v, state.contacts[i].opposite));
   }
   return time;
 }

@@ -110,7 +110,7 @@ TEST(SurfaceContact, ABearingPointIsExpectedToGoOnAsItDidAndNeverToPull) {
   state.multiplier = {5.0, 1.0, 0.0};
   state.pressure = {4.0, 2.0, 0.0};
   state.note_change({2.0, 5.0, 0.0});
-  SurfaceContact::expect(state, 0.5);
+  state.expect(0.5);
   EXPECT_EQ(state.multiplier, (std::vector<double>{6.0, 0.0, 0.0}));
 }
 
