@@ -119,8 +119,9 @@ def texts_page(title: str, tables: Iterable[tuple[str, str, str]], remark: str =
     text = f"# {title}\n" + (f"\n{remark}\n" if remark else "")
     for path, what, command in tables:
         file = ROOT / path
-        if file.is_file():
-            text += f"\n## {what}\n\nFrom `{path}`, made by `{command}`.\n\n```text\n{file.read_text(encoding='utf-8').rstrip()}\n```\n"
+        if not file.is_file():
+            raise SystemExit(f"{path} is absent: `{command}` makes it")
+        text += f"\n## {what}\n\nFrom `{path}`, made by `{command}`.\n\n```text\n{file.read_text(encoding='utf-8').rstrip()}\n```\n"
     return text
 
 

@@ -1,4 +1,5 @@
 """The bearing and its load on the first page: a drawing to scale and the numbers, assumptions with an asterisk."""
+import re
 from collections.abc import Callable
 from typing import Any
 
@@ -143,12 +144,17 @@ def takes_part(context: Context, key: str) -> bool:
     return context.whole_bearing or not key.startswith(STACK)
 
 
+def as_number(value: Any) -> Any:
+    """Of a text that is a number with a point: the answer has values as the bearing file writes them, to the last digit."""
+    return float(value) if isinstance(value, str) and re.fullmatch(r"-?\d+\.\d+", value) else value
+
+
 def assumptions(context: Context) -> list[list[str]]:
     """[key, value] as the bearing file writes them; those of the answer, else of the scene's marks. Of pad and foot only where they
     take part in what was run."""
     listed = context.results.answer.get("assumptions")
     if listed:
-        return [[item.get("key", ""), plain(item.get("value"))] for item in listed if takes_part(context, item.get("key", ""))]
+        return [[item.get("key", ""), plain(as_number(item.get("value")))] for item in listed if takes_part(context, item.get("key", ""))]
     bearing, found = context.scene.get("bearing", {}), []
     for key in sorted(key for key in context.assumed if takes_part(context, key)):
         value = bearing

@@ -133,6 +133,11 @@ class Doubts(SmallResults):
         laws = page[page.index('<section id="laws">'):]
         self.assertNotIn('<b class="mark"', laws[:laws.index("</section>")])
 
+    def test_an_assumed_number_has_the_digits_that_say_something(self):
+        _, text = self.page(assumptions=[{"key": "material.steel.hardening_Q_MPa", "value": "240.6377216927041"}, {"key": "rim.height_mm", "value": "60"}])
+        self.assertIn("hardening_Q_MPa\u00a0240.638", text)
+        self.assertIn("rim.height_mm\u00a060", text)
+
     def test_a_runs_own_report(self):
         self.results(warnings=[DOUBT])
         path, _ = build(self.path("runs/window-0.20"))
