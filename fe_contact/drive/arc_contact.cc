@@ -93,7 +93,7 @@ Attempt ArcContact::assess(const SolvedStep &step, const EnergyLedger &ledger) {
   energies_.plastic += others_plastic_;
   const double displacement = flight.displacement_error(scene_.model.rho_inf, step.dt) / displacement_tolerance;
   const double energy = std::abs(energies_.unbalanced(ledger) + flight.work_of_dish()) /
-                        (energy_tolerance * std::max(1.0, ledger.largest_input));
+                        (energy_tolerance * tolerance_left(ledger) * std::max(1.0, ledger.largest_input));
   return control.assess(std::max(displacement, energy), step.dt, step.dt > finest_step(), arc().state.growth_hold > 0,
                         step.before.refused_error);
 }
