@@ -6,6 +6,7 @@ and 50 % of the force at the deepest point. With --speed ours, CalculiX and GetF
 extrapolated, over processor time. --keep: a GetFEM run that ended in the folder is not made again (mesh 1 takes minutes).
 Exit codes: 0 gates met, 1 missed, 77 GetFEM (Debian's python3-getfem) is absent (CTest: skipped)."""
 import csv
+import itertools
 import math
 import pathlib
 import subprocess
@@ -45,8 +46,10 @@ def differences(ours: Run, other: Run) -> list[tuple[str, float]]:
 
 
 def time_to(runs: Sequence[tuple[float, float]], wanted: float) -> float:
-    """Of (error, seconds) by mesh: where the last two, as a straight line of their logarithms, have the wanted error [s]."""
-    (e0, t0), (e1, t1) = runs[-2:]
+    """Of (error, seconds) by mesh: where the wanted error lies on a straight line of logarithms [s], between the first two meshes that are
+    about it, else through the last two."""
+    about = [pair for pair in itertools.pairwise(runs) if pair[1][0] <= wanted <= pair[0][0]]
+    (e0, t0), (e1, t1) = about[0] if about else runs[-2:]
     return math.exp(math.log(t0) + (math.log(wanted) - math.log(e0)) / (math.log(e1) - math.log(e0)) * (math.log(t1) - math.log(t0)))
 
 
@@ -66,7 +69,7 @@ def speed(say, what: str, sides: dict[str, list[Timed]]) -> None:
             say(f"{name:<8} mesh {mesh}  {run.force:8.1f} kN {100 * (run.force / end - 1):+6.2f} %  {run.seconds:7.1f} s  {run.note}")
     for name, runs in sides.items():
         errors = [(abs(run.force / end - 1), run.seconds) for run in runs]
-        how = "beyond its meshes" if errors[-1][0] > WANTED else "between its meshes"
+        how = "between its meshes" if any(coarse[0] >= WANTED >= fine[0] for coarse, fine in itertools.pairwise(errors)) else "beyond its meshes"
         say(f"{100 * WANTED:g} % of it: {name:<8} {time_to(errors, WANTED):6.0f} s, {how}")
 
 

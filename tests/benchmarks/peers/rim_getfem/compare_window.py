@@ -4,7 +4,7 @@ does not resolve left (ours generalised-alpha, theirs Bossak).
 
 Gates: force over depth from 0.5 to 4 mm, deepest penetration and plastic work within 2 %, peak force (as against CalculiX) and rebound
 within 3 %. --speed: ours on meshes 0 to 2 and GetFEM on 0 and 1 are timed, error of the peak force, against ours extrapolated, over processor
-time. --keep: a GetFEM run that ended in the folder is not made again. Exit codes: 0 gates met, 1 missed, 77 GetFEM (Debian's python3-getfem) is absent (CTest: skipped)."""
+time. --keep: a run that ended in the folder is not made again. Exit codes: 0 gates met, 1 missed, 77 GetFEM (Debian's python3-getfem) is absent (CTest: skipped)."""
 import csv
 import json
 import pathlib
@@ -46,8 +46,9 @@ def settings(mesh):
 
 def run_ours(options, mesh):
     folder = options.folder / f"ours-window-{mesh}"
-    timed([options.rimpact, "run", "impact-window", "-o", str(folder), *settings(mesh), "--quiet", "--no-fields", "--force"], options.folder,
-          options.folder / f"{folder.name}.log", options.cores)
+    if not (options.keep and (folder / "summary.json").is_file()):
+        timed([options.rimpact, "run", "impact-window", "-o", str(folder), *settings(mesh), "--quiet", "--no-fields", "--force"], options.folder,
+              options.folder / f"{folder.name}.log", options.cores)
     summary, rows = json.loads((folder / "summary.json").read_text()), columns(folder / "response.csv")
     impact = summary["impacts"][0]
     values = (1e-3 * impact["peak_force_N"], 1e3 * impact["peak_penetration_m"], impact["restitution"], summary["energy"]["plastic_J"])
@@ -70,19 +71,9 @@ def of_window(run):
     return Timed(run.values["peak force"], run.seconds, run.note)
 
 
-def main():
-    parser = arguments(__doc__)
-    parser.add_argument("--mesh", type=int, default=0), parser.add_argument("--keep", action="store_true"), parser.add_argument("--speed", action="store_true")
-    options = parser.parse_args()
-    if lacks_getfem():
-        return SKIPPED
-    options.folder = options.folder.resolve()
-    options.folder.mkdir(parents=True, exist_ok=True)
-    say = reporter(options.write)
-    by_mesh = {mesh: run_ours(options, mesh) for mesh in ((0, 1, 2) if options.speed else (options.mesh,))}
-    getfem = {mesh: run_getfem(options, mesh) for mesh in ((0, 1) if options.speed else (options.mesh,))}
-    ours, theirs = by_mesh[options.mesh], getfem[options.mesh]
-    say(f"impact-window at {SPEED:g} m/s, mesh {options.mesh}: rimpact against GetFEM, one core each; processor seconds")
+def compared(say, mesh, ours, theirs):
+    """Prints both; the names of GATES with what ours is off by."""
+    say(("\n" if mesh else "") + f"impact-window at {SPEED:g} m/s, mesh {mesh}: rimpact against GetFEM, one core each; processor seconds")
     say(f"{'':<8} {'force kN':>9} {'depth mm':>9} {'rebound':>8} {'plastic J':>9}")
     for name, run in (("ours", ours), ("GetFEM", theirs)):
         force, depth, rebound, work = run.values.values()
@@ -94,9 +85,25 @@ def main():
     say(f"{'depth_mm':>8} {'GetFEM_kN':>9} {'ours_kN':>8} diff_%")
     for depth, theirs_at, ours_at, apart_at in zip(DEPTHS, theirs.at_depths, ours.at_depths, over):
         say(f"{depth:8.2f} {theirs_at:9.1f} {ours_at:8.1f} {100 * apart_at:+6.2f}")
+    return apart
+
+
+def main():
+    parser = arguments(__doc__)
+    parser.add_argument("--mesh", type=int, default=0), parser.add_argument("--keep", action="store_true"), parser.add_argument("--speed", action="store_true")
+    options = parser.parse_args()
+    if lacks_getfem():
+        return SKIPPED
+    options.folder = options.folder.resolve()
+    options.folder.mkdir(parents=True, exist_ok=True)
+    say = reporter(options.write)
+    by_mesh = {mesh: run_ours(options, mesh) for mesh in ((0, 1, 2) if options.speed else (options.mesh,))}
+    getfem = {mesh: run_getfem(options, mesh) for mesh in ((0, 1) if options.speed else (options.mesh,))}
+    apart = [compared(say, mesh, by_mesh[mesh], getfem[mesh]) for mesh in getfem]
     if options.speed:
         speed(say, "peak force of the window", {"ours": list(map(of_window, by_mesh.values())), "GetFEM": list(map(of_window, getfem.values()))})
-    return 1 if missed(apart, GATES.__getitem__) else 0
+    misses = [missed(each, GATES.__getitem__) for each in apart]
+    return 1 if any(misses) else 0
 
 
 if __name__ == "__main__":
