@@ -20,16 +20,21 @@ FILES = {
     "ours/module/shape.h": SHAPE,
     "ours/module/user.cc": f"#include \"module/shape.h\"\n{USER}",
     "ours/module/borrower.cc": f"#include \"library/shape.h\"\n{USER}",
-    "ours/module/named.cc": "class Beam {\npublic:\n  double E = 1;\n  double modulus() const { return E * area; }\n\nprivate:\n  double area = 1;\n};\n",
+    "ours/module/symbols.cc": "class Beam {\npublic:\n  double E = 1, R0 = 2;\n  double modulus(double dN) const { return E * dN * K_ * area_; }\n\n"
+                              "private:\n  double K_ = 1, area_ = 1;\n};\n",
+    "ours/module/member.cc": "class Beam {\n  double area = 1;\n};\n",
+    "ours/module/camel.cc": "class Beam {\n  double crossSection_ = 1;\n};\n",
+    "ours/module/function.cc": "double ComputeArea() { return 1; }\n",
+    "ours/module/local.cc": "double area() {\n  const double Total = 1;\n  return Total;\n}\n",
     "ours/module/broken.cc": "#include \"module/missing.h\"\n",
 }
 #: What holds no fault, and what holds one that is a library's.
-CLEAN = ("ours/module/clean.cc", "ours/module/borrower.cc")
+CLEAN = ("ours/module/clean.cc", "ours/module/symbols.cc", "ours/module/borrower.cc")
 #: In which file, which check, found by judging which source.
 EXPECTED = (("ours/module/moved.cc", "bugprone-use-after-move", "ours/module/moved.cc"),
             ("ours/module/null.cc", "clang-analyzer-core.NullDereference", "ours/module/null.cc"),
             ("ours/module/shape.h", "modernize-use-override", "ours/module/user.cc"),
-            ("ours/module/named.cc", "readability-identifier-naming", "ours/module/named.cc"),
+            *((f"ours/module/{name}.cc", "readability-identifier-naming", f"ours/module/{name}.cc") for name in ("member", "camel", "function", "local")),
             ("ours/module/broken.cc", "clang-diagnostic-error", "ours/module/broken.cc"))
 
 

@@ -67,10 +67,10 @@ struct StrainRow {
 /// A place of the steel over all runs.
 struct PlaceStrain {
   SteelPlace place;
-  double damage = 0, damage_speed = 0; ///< largest mean damage by Johnson and Cook [-], of the run at [m/s]
-  double locus_damage = 0, locus_speed = 0; ///< alike, by Bao and Wierzbicki
-  double strain = 0, strain_speed = 0; ///< largest mean plastic strain [-], alike
-  Passing crack, limit;                ///< damage 1 by whichever passes it first, and the strain's limit
+  double damage = 0, damage_speed = 0;             ///< largest mean damage by Johnson and Cook [-], of the run at [m/s]
+  std::optional<double> locus_damage, locus_speed; ///< alike, by Bao and Wierzbicki; none: not known
+  double strain = 0, strain_speed = 0;             ///< largest mean plastic strain [-], alike
+  Passing crack, limit;                            ///< damage 1 by whichever passes it first, and the strain's limit
   std::string sentence;
 };
 struct AnswerStrain {

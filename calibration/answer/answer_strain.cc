@@ -4,8 +4,8 @@
 #include "responses/steel_limits.h"
 #include <algorithm>
 #include <fmt/format.h>
+#include <functional>
 #include <map>
-#include <tuple>
 
 namespace rimpact::calibration {
 namespace {
@@ -49,64 +49,69 @@ struct Worst {
   }
 };
 
-/// Means over averaging_radius of a place in all runs, by speed.
-struct MeansBySpeed {
-  BySpeed damage, locus_damage, strain;
-
-  void take(double speed, const SteelAtPlace &at) {
-    damage.emplace_back(speed, at.averaged_damage);
-    locus_damage.emplace_back(speed, at.averaged_locus_damage);
-    strain.emplace_back(speed, at.averaged);
-  }
-  void sort() {
-    for (auto *values : {&damage, &locus_damage, &strain}) std::sort(values->begin(), values->end());
-  }
-  /// The larger damage of each run.
-  BySpeed worse() const {
-    BySpeed result = damage;
-    for (std::size_t i = 0; i < result.size(); ++i)
-      result[i].second = std::max(result[i].second, locus_damage[i].second);
-    return result;
-  }
+/// Means over averaging_radius of a place in a run.
+struct MeansOfRun {
+  double speed, damage, strain;
+  std::optional<double> locus_damage; ///< none: a run of an earlier version
+  double worse_damage() const { return std::max(damage, locus_damage.value_or(0)); }
 };
 
-/// "damage 0.14 at 0.5 m/s (by Bao and Wierzbicki; 0.07 by Johnson and Cook)"
-std::string damage_in_words(const PlaceStrain &at) {
-  const bool by_locus = at.locus_damage > at.damage;
-  const std::string other = at.locus_damage == 0 ? "" // not known, or as nothing as the other
-                                                 : fmt::format("; {:.2f} by {}", std::min(at.damage, at.locus_damage),
-                                                               by_locus ? by_johnson_and_cook : by_bao_and_wierzbicki);
-  return fmt::format("damage {:.2f} at {:.3g} m/s (by {}{})", std::max(at.damage, at.locus_damage),
-                     by_locus ? at.locus_speed : at.damage_speed,
+template <class Value> BySpeed by_speed(const std::vector<MeansOfRun> &runs, const Value &value) {
+  BySpeed result;
+  for (const MeansOfRun &run : runs) result.emplace_back(run.speed, std::invoke(value, run));
+  return result;
+}
+
+template <class Value> const MeansOfRun &largest(const std::vector<MeansOfRun> &runs, const Value &value) {
+  return *std::ranges::max_element(runs, {}, value);
+}
+
+/// Both loci cut off at the same triaxiality: a damage by one alone is of a run that does not know the other.
+std::optional<double> locus_damage(const SteelAtPlace &at) {
+  if (at.averaged_locus_damage == 0 && at.averaged_damage > 0) return {};
+  return at.averaged_locus_damage;
+}
+
+/// "damage 0.14 at 0.5 m/s (by Bao and Wierzbicki; 0.07 by Johnson and Cook)", of one run.
+std::string damage_in_words(const MeansOfRun &run) {
+  const bool by_locus = run.worse_damage() > run.damage;
+  std::string other;
+  if (run.locus_damage)
+    other = fmt::format("; {:.2f} by {}", by_locus ? run.damage : *run.locus_damage,
+                        by_locus ? by_johnson_and_cook : by_bao_and_wierzbicki);
+  return fmt::format("damage {:.2f} at {:.3g} m/s (by {}{})", run.worse_damage(), run.speed,
                      by_locus ? by_bao_and_wierzbicki : by_johnson_and_cook, other);
 }
 
-PlaceStrain place_strain(SteelPlace place, const MeansBySpeed &of, double limit) {
-  const auto largest = [](const BySpeed &values) {
-    return *std::max_element(values.begin(), values.end(),
-                             [](const auto &a, const auto &b) { return a.second < b.second; });
-  };
-  PlaceStrain at{
-      .place = place, .crack = passing(of.worse(), 1.0), .limit = passing(of.strain, limit), .sentence = {}};
-  std::tie(at.damage_speed, at.damage) = largest(of.damage);
-  std::tie(at.locus_speed, at.locus_damage) = largest(of.locus_damage);
-  std::tie(at.strain_speed, at.strain) = largest(of.strain);
-  at.sentence =
-      fmt::format("{}: {}, 1 {}; strain {} at {:.3g} m/s, its limit of {:.3g} % {}", description(place),
-                  damage_in_words(at), in_words(at.crack), percent_up(at.strain), at.strain_speed, 100 * limit,
-                  in_words(at.limit));
+PlaceStrain place_strain(SteelPlace place, const std::vector<MeansOfRun> &runs, double limit) {
+  const bool locus_known = std::ranges::all_of(runs, [](const auto &run) { return run.locus_damage.has_value(); });
+  PlaceStrain at{.place = place,
+                 .crack = passing(by_speed(runs, &MeansOfRun::worse_damage), 1.0),
+                 .limit = passing(by_speed(runs, &MeansOfRun::strain), limit),
+                 .sentence = {}};
+  const MeansOfRun &damaged = largest(runs, &MeansOfRun::damage), &strained = largest(runs, &MeansOfRun::strain);
+  at.damage = damaged.damage, at.damage_speed = damaged.speed;
+  at.strain = strained.strain, at.strain_speed = strained.speed;
+  if (locus_known) {
+    const MeansOfRun &by_locus = largest(runs, &MeansOfRun::locus_damage);
+    at.locus_damage = by_locus.locus_damage, at.locus_speed = by_locus.speed;
+  }
+  at.sentence = fmt::format("{}: {}, 1 {}; strain {} at {:.3g} m/s, its limit of {:.3g} % {}", description(place),
+                            damage_in_words(largest(runs, &MeansOfRun::worse_damage)), in_words(at.crack),
+                            percent_up(at.strain), at.strain_speed, 100 * limit, in_words(at.limit));
   return at;
 }
 
 std::vector<PlaceStrain> by_places(const Calibration &c, const std::vector<const StoredRun *> &runs, double limit) {
-  std::map<SteelPlace, MeansBySpeed> values;
+  std::map<SteelPlace, std::vector<MeansOfRun>> values;
   for (const StoredRun *run : runs) {
     if (run->impacts.empty()) continue;
-    for (const auto &[place, at] : c.facts.at(run->folder).steel) values[place].take(run->approach_speed(), at);
+    for (const auto &[place, at] : c.facts.at(run->folder).steel)
+      values[place].push_back({run->approach_speed(), at.averaged_damage, at.averaged, locus_damage(at)});
   }
   std::vector<PlaceStrain> result;
   for (auto &[place, means] : values) {
-    means.sort();
+    std::ranges::sort(means, {}, &MeansOfRun::speed);
     result.push_back(place_strain(place, means, limit_at(c.scene.bearing, place).value_or(limit)));
   }
   return result;
@@ -116,6 +121,15 @@ std::vector<PlaceStrain> by_places(const Calibration &c, const std::vector<const
 const char *constants_of(const scene::Material &steel) {
   if (steel.fracture == scene::Fracture{}) return "constants of Weldox 460 E, an assumption";
   return steel.has_grade() ? "constants of its grade" : "constants of the bearing's file";
+}
+
+/// Of a damage, where the meshes are those it was measured on.
+std::string error_of_mesh(const Calibration &c, const std::vector<const StoredRun *> &runs, double damage) {
+  constexpr double measured_from = 0.05;
+  const bool on_mesh_1 =
+      std::ranges::all_of(runs, [&](const StoredRun *run) { return c.facts.at(run->folder).mesh.value_or(0) >= 1; });
+  if (damage < measured_from || !on_mesh_1) return "";
+  return fmt::format(", which on the reference bearing a finer mesh moves by up to {:.0f} %", 100 * damage_mesh_change);
 }
 
 /// The rows, by speed, against the limits of their places; `lowest`: of the rim's side, where a place is not known.
@@ -159,13 +173,11 @@ std::optional<AnswerStrain> answer_strain(const Calibration &c, const std::vecto
   s.places = by_places(c, runs, *limit);
   s.sentence = sentence(s, foot);
   if (crack.place)
-    s.crack_sentence =
-        fmt::format("A crack begins at a damage of 1; the runs reach {:.2f}, in {} at {:.3g} m/s ({}; a mean over {:g} "
-                    "mm, which on the reference bearing the next finer mesh moves by up to {:.0f} %). No crack is in "
-                    "the model: beyond 1 its forces are no result.",
-                    crack.value, description(*crack.place), crack.speed,
-                    constants_of(bearing.steel_of(part_of(*crack.place))), 1e3 * averaging_radius,
-                    100 * damage_mesh_change);
+    s.crack_sentence = fmt::format(
+        "A crack begins at a damage of 1; the runs reach {:.2f}, in {} at {:.3g} m/s ({}; a mean over {:g} "
+        "mm{}). No crack is in the model: beyond 1 its forces are no result.",
+        crack.value, description(*crack.place), crack.speed, constants_of(bearing.steel_of(part_of(*crack.place))),
+        1e3 * averaging_radius, error_of_mesh(c, runs, crack.value));
   if (slider.value > limit_of_slider)
     s.slider_sentence = fmt::format("The slider's edge is crushed, by {} at {:.3g} m/s: plan to replace the slider.",
                                     percent_up(slider.value), slider.speed);

@@ -20,7 +20,7 @@ public:
   /// Of the step that was solved: whether it is taken, by local errors of the top face's displacement and of the
   /// energy.
   Attempt assess(const SolvedStep &step, const EnergyLedger &ledger);
-  /// ... is taken.
+  /// Of a step that is taken.
   void follow(const SolvedStep &step) { multiplier_ = step.report.multiplier; }
   /// `touched`: the walls have borne something.
   std::vector<Event> events(const SolvedStep &step, bool touched) const;
@@ -35,7 +35,7 @@ public:
   void land(EnergyLedger &ledger);
   /// The walls have parted: the parts come to rest, what they still vibrated with is booked as lost in the impact.
   void rest(EnergyLedger &ledger);
-  /// What flies on from here.
+  /// The height and the support with which the bearing flies on.
   void leave(reduced::BearingState &bearing) const;
 
   Eigen::Vector3d displacement() const { return arc().frame.displacement(top()); } ///< of the mass, global [m]
@@ -46,7 +46,6 @@ public:
   bool walls_touch() const { return system_.walls_touch(arc().state); }
   const MassForces &forces() const { return forces_after_; } ///< at the step's end [N]
   const StepEnergies &energies() const { return energies_; } ///< of the step
-  Support support() const { return support_; }
   void visit_support(StateVisitor &v) { v.choice("support", support_); }
   void visit(StateVisitor &v);
 

@@ -14,10 +14,10 @@ class SlidingPace {
 public:
   SlidingPace(const planning::Plan &plan, double contact_step) : plan_(plan), contact_step_(contact_step) {}
 
-  /// As the scout has it for good, if the slider is slow too.
+  /// Whether the reduced model has the slider at rest from t on, or before it first moves, and it is slow here too.
   bool rests_at(double t, const SlidingStack &stack) const;
   double longest(const SlidingStack &stack, bool resting) const; ///< step [s]
-  /// Length instead of a step that would overshoot a turn, the rim's joining or the touch; 0: the step may be.
+  /// Length instead of a step that would overshoot a turn, the rim's joining or the touch; 0: the step may be tried.
   /// `surface_gap`: left between the walls [m].
   double clipped(double t, double dt, const SlidingStack &stack, bool resting, double surface_gap) const;
 

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <memory>
+#include <tuple>
 
 namespace rimpact::fe {
 namespace {

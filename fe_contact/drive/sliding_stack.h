@@ -10,6 +10,7 @@ namespace rimpact::fe {
 class SlidingStack {
 public:
   SlidingStack(const Rung &rung, const scene::Scene &scene, const planning::Plan &plan);
+  SlidingStack(const SlidingStack &) = delete;
 
   const BearingModel &model() const { return model_; }
   bool all_solid() const { return model_.rung.dish == DishKind::solid; }
@@ -25,13 +26,15 @@ public:
   bool touching() const { return active().walls_touch(state); }
   double kinetic_energy() const { return model_.share() * active().kinetic_energy(state); } ///< [J]
 
-  void join(); ///< the rim's solids, at rest in their permanent shape
-  /// The rim stops where it is. Returns the kinetic energy that is lost with it [J].
+  /// The rim's solids join, at rest in their permanent shape; where all is solid they are there already.
+  void join();
+  /// The rim's solids leave, and stop where they are. Returns the kinetic energy that is lost with them [J].
   double part();
   /// Where another one stands, whose mesh has a sector less. Throws SolverStopped where the state cannot be carried.
   void carry_over(const SlidingStack &old);
   /// Interpolated stresses do not balance: the parts would ring with what is missing. So they take the accelerations
-  /// they have as dead loads and come to balance under them and `load` [N], with the top face where it is.
+  /// they have as dead loads and come to balance under them and `load` [N], with the top face where it is. Then what
+  /// the held rim stores is known again.
   void balance(const Eigen::VectorXd &load, const StepOptions &options);
 
   std::map<std::string, double> time_split() const;

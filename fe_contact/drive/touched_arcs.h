@@ -16,6 +16,7 @@ public:
   /// `touch_height` of the surface at L_c [m]; `level`: windows hold what is carried at its height.
   TouchedArcs(const scene::Bearing &bearing, BearingSystem &system, double touch_height, bool level)
       : bearing_(bearing), system_(system), touch_height_(touch_height), level_(level) {}
+  TouchedArcs(const TouchedArcs &) = delete;
 
   bool empty() const { return arcs_.empty(); }
   Arc &current() { return arcs_[current_]; } ///< the one chosen last

@@ -37,6 +37,8 @@ struct PointCoupling {
     dN[n++][1] = by_eta;
   }
 };
+
+/// Finds them, by each slave point.
 class ContactSearch {
 public:
   /// How far past a free edge a point that crosses it within the step still sees the surface [half widths of a face].
@@ -49,7 +51,8 @@ public:
   const std::vector<const Face *> &faces() const { return faces_; } ///< slave
   const std::vector<FacePoint> &points() const { return points_; }  ///< of the faces, one after the other
   std::size_t points_a_face() const { return points_a_face_; }
-  /// Of point k at dof displacements u; the search begins at carrier face `guess`. Empty where nothing is opposite.
+  /// Of point k at dof displacements u; the search begins at carrier face `guess`. Empty where nothing is
+  /// opposite, up to `beyond` past the carrier's free edges [half widths of a face].
   std::optional<PointCoupling> couple(std::size_t k, const Eigen::VectorXd &u, int guess, double beyond) const;
   /// Relative position by the present opposite, else by the carrier's rough displacement [m].
   Eigen::Vector3d relative_position(std::size_t k, const Eigen::VectorXd &u, int opposite) const;

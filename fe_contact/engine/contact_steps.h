@@ -14,8 +14,9 @@ struct StepOptions {
   /// wasted. The last solution meets newton.tolerance. 0: all do.
   double tolerance_between = 0;
   double rho_inf = 0.8;
-  bool smooth = false;  ///< steps in time: no wall in reach, the motion has an acceleration
-  bool expects = false; ///< steps in time begin with the pressures' last change repeated (see SurfaceContactState::expect)
+  bool smooth = false; ///< steps in time: no wall in reach, the motion has an acceleration
+  bool expects =
+      false; ///< steps in time begin with the pressures' last change repeated (see SurfaceContactState::expect)
   /// Shorter steps in time carry multipliers on, and renew them for the next step, by their share of it [s]; 0: all do
   /// so wholly. Multipliers renewed wholly in ever shorter steps add up the gap without end: contact then feeds its own
   /// ringing. Within a step they are renewed as ever, where more than gap_tolerance is left.

@@ -43,7 +43,7 @@ void ContactSystem::make_pattern(const Eigen::VectorXd &displacements, const std
 
 Symmetry ContactSystem::symmetry() const {
   const bool friction = std::any_of(contacts_.begin(), contacts_.end(), [](const auto &contact) {
-    const FrictionCoefficient &mu = contact.options().law.friction;
+    const FrictionCoefficient &mu = contact.law().friction;
     return mu.fast > 0 || mu.slow > 0;
   });
   return friction || ranks().size > 1 ? Symmetry::general : Symmetry::symmetric;
@@ -229,7 +229,7 @@ bool ContactSystem::stiffen(double factor) {
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
     auto &stiffening = trial_.contacts[i].stiffening;
     const double most =
-        contacts_[i].search().stiffness_per_area(equations_, stiffness) / contacts_[i].options().law.normal_penalty;
+        contacts_[i].search().stiffness_per_area(equations_, stiffness) / contacts_[i].law().normal_penalty;
     if (stiffening * factor > std::max(1.0, most)) continue;
     stiffening *= factor;
     any = true;

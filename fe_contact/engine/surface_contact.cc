@@ -4,6 +4,7 @@
 #include "fe_contact/solver/ranks.h"
 #include <algorithm>
 #include <cmath>
+#include <Eigen/LU>
 #include <stdexcept>
 
 namespace rimpact::fe {
@@ -81,7 +82,7 @@ SurfaceContact::FaceResult SurfaceContact::assemble_face(std::size_t f, const Co
 SurfaceContactReport SurfaceContact::assemble(const Eigen::VectorXd &u, SurfaceContactState &state, double dt,
                                               const Equations &equations, Eigen::VectorXd &forces,
                                               Tangent *tangent) const {
-  CoulombContact law = options_.law;
+  CoulombContact law = law_;
   law.normal_penalty *= state.stiffening;
   law.tangential_penalty *= state.stiffening;
   const std::vector<std::size_t> offsets = shares_of_ranks(state);
@@ -163,7 +164,7 @@ void SurfaceContact::add_work(const SurfaceContactState &before, const SurfaceCo
     // the step, and must show as one. With multipliers there is only the work.
     const bool spring = before.multiplier[k] == 0 && after.multiplier[k] == 0 && before.entry[k] == 0;
     if (spring && !over_an_edge)
-      report.normal_work += area * (p1 * p1 - p0 * p0) / (2 * options_.law.normal_penalty * after.stiffening);
+      report.normal_work += area * (p1 * p1 - p0 * p0) / (2 * law_.normal_penalty * after.stiffening);
     else
       report.normal_work -= 0.5 * area * (p0 + p1) * (g1 - g0);
     report.friction_work -= 0.5 * area * (before.pulled_back[k] + after.pulled_back[k]).dot(y - before.start[k]);

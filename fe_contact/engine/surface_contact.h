@@ -11,6 +11,7 @@
 #include "fe_contact/engine/surface_contact_report.h"
 #include "fe_contact/engine/surface_contact_state.h"
 #include "fe_contact/solver/tangent.h"
+#include <utility>
 
 namespace rimpact::fe {
 
@@ -18,7 +19,7 @@ class SurfaceContact {
 public:
   SurfaceContact(const Discretisation &space, meshes::Surface slave, MasterSurface master,
                  const SurfaceContactOptions &options)
-      : options_(options), degree_(space.degree), search_(space, slave, std::move(master), options) {}
+      : law_(options.law), degree_(space.degree), search_(space, slave, std::move(master), options) {}
 
   SurfaceContactState open(const Eigen::VectorXd &u) const;
   /// With the multipliers that the same points had on another mesh, where they are opposite this one's master at u;
@@ -34,7 +35,7 @@ public:
   SurfaceContactReport assemble(const Eigen::VectorXd &u, SurfaceContactState &state, double dt,
                                 const Equations &equations, Eigen::VectorXd &forces, Tangent *tangent) const;
   Augmentation augmentation(const SurfaceContactState &state) const {
-    return fe::augmentation(search_, options_.law, degree_, state);
+    return fe::augmentation(search_, law_, degree_, state);
   }
   /// Work of the step from `before` to `after`, both evaluated.
   void add_work(const SurfaceContactState &before, const SurfaceContactState &after, const Eigen::VectorXd &u,
@@ -54,8 +55,8 @@ public:
     average_to_nodes(search_.points(), search_.faces(), state.pressure, pressure);
     average_to_nodes(search_.points(), search_.faces(), state.gap, gap);
   }
-  SurfaceContactOptions &options() { return options_; }
-  const SurfaceContactOptions &options() const { return options_; }
+  CoulombContact &law() { return law_; }
+  const CoulombContact &law() const { return law_; }
 
 private:
   /// Of one slave face: faces are independent of one another, and are assembled by several threads.
@@ -70,7 +71,7 @@ private:
   void all_gather(std::vector<std::size_t> offsets, SurfaceContactState &state) const;
   void update_active(const Eigen::VectorXd &u, SurfaceContactState &state) const;
 
-  SurfaceContactOptions options_;
+  CoulombContact law_;
   int degree_; ///< of the shape functions
   ContactSearch search_;
 };

@@ -26,7 +26,7 @@ struct SurfaceContactState {
   double stiffening = 1;        ///< factor on the stated penalties where augmentation alone was slow
   std::vector<double> change{}; ///< of the pressures over the last step [Pa]; empty: none yet
 
-  /// Of n points that bear nothing, where nothing is known to be opposite; without their `start`.
+  /// Of n points that bear nothing. They are covered, so that what overlaps from the start bears; `start` is left out.
   static SurfaceContactState of(std::size_t n);
   void note_change(const std::vector<double> &pressures_before);
   /// lambda <- lambda + times * the pressure's last change, not below 0, where a point bears. The gap left is then the

@@ -150,7 +150,7 @@ def as_number(value: Any) -> Any:
 
 
 def assumptions(context: Context) -> list[list[str]]:
-    """[key, value] as the bearing file writes them; those of the answer, else of the scene's marks. Of pad and foot only where they
+    """[key, value] under the names of the bearing file, numbers to six digits; those of the answer, else of the scene's marks. Of pad and foot only where they
     take part in what was run."""
     listed = context.results.answer.get("assumptions")
     if listed:

@@ -4,7 +4,7 @@ import numpy as np
 from .. import stack_picture, vtu
 from ..bearing import height, value
 from ..blocks import Section, heading
-from ..context import Context
+from ..context import WHOLE, Context
 from ..errors import DataError
 from ..run_folder import Run
 from ..stored_fields import instants, said_of
@@ -15,7 +15,7 @@ MOST = 4  # runs shown
 
 def make(context: Context) -> Section | None:
     runs = [(entry, entry.fe) for entry in context.results.entries
-            if entry.fe is not None and entry.fe.rung in ("rigid-dish", "full") and instants(entry.fe)]
+            if entry.fe is not None and entry.fe.rung in WHOLE and instants(entry.fe)]
     if not runs:
         return None
     section = Section("stack", "The deformed bearing")

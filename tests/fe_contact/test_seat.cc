@@ -55,7 +55,7 @@ TEST(Seat, WithoutFrictionTheBackAloneBearsTheLoad) {
   scene::Bearing bearing = seated(0.001); // the wall out of reach
   PressedStack stack(bearing);
   for (const Role role : {Role::seat, Role::recess})
-    stack.system.contact(*stack.system.contact_of(role)).options().law.friction = {};
+    stack.system.contact(*stack.system.contact_of(role)).law().friction = {};
   stack.press();
   EXPECT_NEAR(-stack.force(Role::seat).z(), load, 1e-6 * load);
   EXPECT_EQ(stack.force(Role::recess).norm(), 0);
@@ -65,7 +65,7 @@ TEST(Seat, WithoutFrictionTheBackAloneBearsTheLoad) {
 TEST(Seat, ADraggedPadIsHeldByTheWallWhereFrictionDoesNotHoldIt) {
   for (const bool friction : {true, false}) {
     PressedStack stack(seated());
-    if (!friction) stack.system.contact(*stack.system.contact_of(Role::seat)).options().law.friction = {};
+    if (!friction) stack.system.contact(*stack.system.contact_of(Role::seat)).law().friction = {};
     stack.press();
     for (int k = 1; k <= 6; ++k) stack.drag(0.5e-3 * k);
     const double dish = stack.force(Role::dish).x(), bottom = stack.force(Role::seat).x(),

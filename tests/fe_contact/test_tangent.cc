@@ -131,7 +131,7 @@ TEST(Tangent, FrictionThatIsSetOnTheWayMakesItWhole) {
   int iterations[2] = {};
   for (Block *block : {&early, &late}) {
     SystemState state = block->system->at_rest();
-    block->system->contact(0).options().law.friction = FrictionCoefficient::constant(0.3);
+    block->system->contact(0).law().friction = FrictionCoefficient::constant(0.3);
     const auto step = static_step(*block->system, state, block->drive(1e-3, 1e-4, 1e-3), {});
     ASSERT_TRUE(step.converged) << step.reason;
     iterations[block == &late] = step.iterations;

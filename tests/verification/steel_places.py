@@ -9,6 +9,7 @@ states the largest of them (damage_mesh_change in responses/steel_report.h). Els
 usage: steel_places.py RIMPACT FOLDER [MESHES]
 """
 import pathlib
+import re
 import sys
 
 from kept_run import finish, kept_run
@@ -19,6 +20,9 @@ LOCUS = "averaged_damage_bao_wierzbicki"
 MEANS = {"averaged_plastic_strain": (0.05, 0.05, 0.005), "averaged_damage": (0.05, 0.10, 0.01), LOCUS: (0.05, 0.10, 0.01)}  #: from where on a share is asked, the share, the difference
 
 SHARES = {"rim_wall": 0.15, "dish": 0.20}  #: of the damage, where 10 % is missed
+HEADER = pathlib.Path(__file__).resolve().parents[2] / "responses/steel_report.h"
+STATED = float(re.search(r"damage_mesh_change = (\S+);", HEADER.read_text(encoding="utf-8")).group(1))
+assert max(SHARES.values()) == STATED, f"the answer states {STATED}, the gates are {SHARES}"
 
 
 def steel(program, folder, speed, mesh):

@@ -152,12 +152,13 @@ def of_the_steel(answer: dict[str, Any], rows: list[dict[str, Any]], runs: Summa
     for name, run in runs.items():
         yield near(speeds[name], again.approach(run), 2e-3), f"{name} arrives at {again.approach(run):.4g} m/s"
     for row in strain["places"]:
-        damage, locus, plastic = (again.steel_by_speed(runs, speeds, row["place"], key)
-                                  for key in ("averaged_damage", "averaged_damage_bao_wierzbicki", "averaged_plastic_strain"))
-        worse = [(speed, max(d, b)) for (speed, d), (_, b) in zip(damage, locus)]
-        (v, d), (w, p) = (max(values, key=lambda at: at[1]) for values in (worse, plastic))
-        yield said_in(words, f"damage {d:.2f} at {v:.3g} m/s (by")
-        yield said_in(words, f", 1 {again.passed(worse, 1.0)}; strain {upwards(p)} at {w:.3g} m/s, "
+        means = again.steel_by_speed(runs, speeds, row["place"], "averaged_damage", "averaged_damage_bao_wierzbicki", "averaged_plastic_strain")
+        both, plastic = [(speed, max(d, b), min(d, b), b > d) for speed, d, b, _ in means], [(speed, p) for speed, _, _, p in means]
+        v, d, other, by_locus = max(both, key=lambda at: at[1])
+        w, p = max(plastic, key=lambda at: at[1])
+        by, beside = ("Bao and Wierzbicki", "Johnson and Cook") if by_locus else ("Johnson and Cook", "Bao and Wierzbicki")
+        yield said_in(words, f"damage {d:.2f} at {v:.3g} m/s (by {by}; {other:.2f} by {beside}), 1 {again.passed([at[:2] for at in both], 1.0)}; "
+                             f"strain {upwards(p)} at {w:.3g} m/s, "
                              f"its limit of {100 * strain['limit']:.3g} % {again.passed(plastic, strain['limit'])}")
     for name, value in judged.items():
         if value > strain["limit"] and re.search(rf"\b{re.escape(name)}:", words):

@@ -48,8 +48,9 @@ def approach(run: dict[str, Any]) -> float:
     return float(max(impact["approach_speed_m_s"] for impact in run["impacts"]))
 
 
-def steel_by_speed(runs: Summaries, speeds: dict[str, float], place: str, key: str) -> list[tuple[float, float]]:
-    return sorted((speeds[name], run["steel"][place][key]) for name, run in runs.items() if place in (run.get("steel") or {}))
+def steel_by_speed(runs: Summaries, speeds: dict[str, float], place: str, *keys: str) -> list[tuple[float, ...]]:
+    rows = [(speeds[name], *(run["steel"][place][key] for key in keys)) for name, run in runs.items() if place in (run.get("steel") or {})]
+    return sorted(rows, key=lambda row: row[0])
 
 
 def recorded_speeds(rows: list[dict[str, Any]]) -> dict[str, float]:

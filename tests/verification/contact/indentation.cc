@@ -161,7 +161,7 @@ IndentationResult indent(const Indentation &p) {
   load_in_steps(system, state, pressed, step_options, result);
   result.depth = -state.u[z_equation];
   if (both) {
-    system.contact(0).options().law.friction = fe::FrictionCoefficient::constant(p.mu);
+    system.contact(0).law().friction = fe::FrictionCoefficient::constant(p.mu);
     load_in_steps(
         system, state, [&](double share) { return terms_at(1, share); }, step_options, result);
   }

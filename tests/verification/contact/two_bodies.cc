@@ -91,7 +91,7 @@ IndentationResult press(const Pair &pair) {
   };
   load_in_steps(system, state, pressed, step_options, result);
   if (both) {
-    system.contact(0).options().law.friction = fe::FrictionCoefficient::constant(p.mu);
+    system.contact(0).law().friction = fe::FrictionCoefficient::constant(p.mu);
     load_in_steps(
         system, state, [&](double share) { return terms_at(1, share); }, step_options, result);
   }
