@@ -86,15 +86,14 @@ std::vector<Event> ArcContact::events(const SolvedStep &step, bool touched) cons
 Attempt ArcContact::assess(const SolvedStep &step, const EnergyLedger &ledger) {
   constexpr double displacement_tolerance = 2e-6; // [m] a step
   constexpr double energy_tolerance = 1.5e-5;     // of the largest input, a step
-  const double left = tolerance_left(ledger);     // of a jump as much is taken as ever: shorter steps only repeat it
-  const StepControl control{.most_error = 4, .least_cut = 0.25, .most_growth = 1.6, .most_of_a_jump = 20 / left};
+  constexpr StepControl control{.most_error = 4, .least_cut = 0.25, .most_growth = 1.6, .most_of_a_jump = 20};
   const FlightStep flight{system_, arc().frame, step.before, arc().state, forces_before_, forces_after_};
   energies_ = flight.energies(step.report);
   energies_.elastic += others_elastic_;
   energies_.plastic += others_plastic_;
   const double displacement = flight.displacement_error(scene_.model.rho_inf, step.dt) / displacement_tolerance;
   const double energy = std::abs(energies_.unbalanced(ledger) + flight.work_of_dish()) /
-                        (energy_tolerance * left * std::max(1.0, ledger.largest_input));
+                        (energy_tolerance * std::max(1.0, ledger.largest_input));
   return control.assess(std::max(displacement, energy), step.dt, step.dt > finest_step(), arc().state.growth_hold > 0,
                         step.before.refused_error);
 }

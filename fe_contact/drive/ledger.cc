@@ -50,11 +50,6 @@ void book(EnergyLedger &ledger, const StepEnergies &step) {
   ledger.largest_input = std::max(ledger.largest_input, ledger.initial + std::abs(ledger.external));
 }
 
-double tolerance_left(const EnergyLedger &ledger) {
-  constexpr double bound = 1e-3, free = 0.7, least = 0.1; // the bound beyond which a run warns (responses/summary.cc)
-  return std::clamp((1 - std::abs(ledger.imbalance_relative()) / bound) / (1 - free), least, 1.0);
-}
-
 std::optional<std::string> loss_of_balance(const EnergyLedger &ledger, double t) {
   constexpr double most = 0.05, nothing = 1; // of the energy put in; [J]
   const double left = ledger.imbalance_relative();

@@ -25,10 +25,6 @@ StepEnergies energies_of(const ContactSystem &system, const SystemState &state, 
 /// The ledger of a motion that begins at a state.
 EnergyLedger ledger_at(const ContactSystem &system, const SystemState &state);
 void book(EnergyLedger &ledger, const StepEnergies &step);
-/// Of a step's tolerance of energy, what is left to the next one: all while a run has less than 0.7 of the usual bound
-/// of 1e-3 unaccounted for, then less, a tenth at the least. Errors of many steps have one sign: where steel yields the
-/// force over the path is curved, and the trapezoidal rule misses it on the same side in every step.
-double tolerance_left(const EnergyLedger &ledger);
 /// A sentence where a run in time, at t [s], leaves more than 5 % of the energy put in unaccounted for while a rim is
 /// pressed: what follows is no result.
 std::optional<std::string> loss_of_balance(const EnergyLedger &ledger, double t);

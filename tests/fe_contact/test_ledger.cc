@@ -25,13 +25,5 @@ TEST(Ledger, WhereNothingIsPutInAShareMeansNothing) {
   EXPECT_FALSE(loss_of_balance(with_loss(0.5, 0.4), 0));
 }
 
-TEST(Ledger, ARunThatNearsItsBoundHasSmallerErrorsAStep) {
-  EXPECT_EQ(tolerance_left(with_loss(4000, 0)), 1);
-  EXPECT_EQ(tolerance_left(with_loss(4000, -6.9e-4 * 4000)), 1);
-  EXPECT_NEAR(tolerance_left(with_loss(4000, -9e-4 * 4000)), 1.0 / 3, 0.01); // against the largest energy
-  EXPECT_NEAR(tolerance_left(with_loss(4000, 9e-4 * 4000)), 1.0 / 3, 0.01);
-  EXPECT_EQ(tolerance_left(with_loss(4000, 0.02 * 4000)), 0.1) << "beyond the bound a step is not infinitely short";
-}
-
 } // namespace
 } // namespace rimpact::fe
