@@ -14,7 +14,7 @@ import numpy as np
 HERE = pathlib.Path(__file__).parent
 sys.path.insert(0, str(HERE.parent / "rim_calculix"))
 from compare_rim_push import SKIPPED, arguments, missed, reporter, timed  # noqa: E402
-from getfem_here import lacks_getfem  # noqa: E402
+from getfem_here import is_ready  # noqa: E402
 
 FRICTION, TRAVEL, MESH = 0.2, 1.0, 0
 DEPTHS = np.arange(0.1, TRAVEL + 1e-9, 0.1)  # mm
@@ -31,11 +31,9 @@ def at_depths(rows, travel, force, lift):
 
 def main():
     options = arguments(__doc__).parse_args()
-    if lacks_getfem():
+    if not is_ready(options):
         return SKIPPED
-    folder = options.folder.resolve()
-    folder.mkdir(parents=True, exist_ok=True)
-    say = reporter(options.write)
+    folder, say = options.folder, reporter(options.write)
     settings = [word for setting in (f"model.mesh={MESH}", f"bearing.contact.rim={FRICTION}", f"excitation.travel_mm={TRAVEL}") for word in ("--set", setting)]
     timed([options.rimpact, "run", "rim-push", "-o", str(folder / "ours"), *settings, "--quiet", "--no-fields", "--force"], folder, folder / "ours.log", options.cores)
     subprocess.run([options.rimpact, "mesh", "--scene", "rim-push", "--curved", "-o", str(folder / "mesh.msh"), "--quiet", *settings], check=True)

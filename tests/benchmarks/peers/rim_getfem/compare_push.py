@@ -5,6 +5,7 @@ Gates on mesh 1: force within 2 % from 0.5 mm on, and within 0.5 % in the mean; 
 and 50 % of the force at the deepest point. With --speed ours, CalculiX and GetFEM are timed: error of the deepest force, against ours
 extrapolated, over processor time. --keep: a GetFEM run that ended in the folder is not made again (mesh 1 takes minutes).
 Exit codes: 0 gates met, 1 missed, 77 GetFEM (Debian's python3-getfem) is absent (CTest: skipped)."""
+import argparse
 import csv
 import itertools
 import math
@@ -19,7 +20,7 @@ import numpy as np
 HERE = pathlib.Path(__file__).parent
 sys.path.insert(0, str(HERE.parent / "rim_calculix"))
 from compare_rim_push import SKIPPED, Run, arguments, missed, reporter, run_ccx, run_ours, table, timed  # noqa: E402
-from getfem_here import lacks_getfem  # noqa: E402
+from getfem_here import is_ready  # noqa: E402
 
 sys.path.insert(0, str(HERE.parents[2] / "verification"))
 from extrapolation import extrapolated  # noqa: E402
@@ -45,12 +46,13 @@ def differences(ours: Run, other: Run) -> list[tuple[str, float]]:
     return list(zip(GATES, (float(of[np.argmax(np.abs(of))]), float(np.mean(of)), ours.unloading_stiffness() / other.unloading_stiffness() - 1)))
 
 
-def time_to(runs: Sequence[tuple[float, float]], wanted: float) -> float:
+def time_to(runs: Sequence[tuple[float, float]], wanted: float) -> tuple[float, bool]:
     """Of (error, seconds) by mesh: where the wanted error lies on a straight line of logarithms [s], between the first two meshes that are
-    about it, else through the last two."""
+    about it, else through the last two; whether it is between."""
     about = [pair for pair in itertools.pairwise(runs) if pair[1][0] <= wanted <= pair[0][0]]
     (e0, t0), (e1, t1) = about[0] if about else runs[-2:]
-    return math.exp(math.log(t0) + (math.log(wanted) - math.log(e0)) / (math.log(e1) - math.log(e0)) * (math.log(t1) - math.log(t0)))
+    seconds = math.exp(math.log(t0) + (math.log(wanted) - math.log(e0)) / (math.log(e1) - math.log(e0)) * (math.log(t1) - math.log(t0)))
+    return seconds, bool(about)
 
 
 class Timed(NamedTuple):
@@ -68,27 +70,30 @@ def speed(say, what: str, sides: dict[str, list[Timed]]) -> None:
         for mesh, run in enumerate(runs):
             say(f"{name:<8} mesh {mesh}  {run.force:8.1f} kN {100 * (run.force / end - 1):+6.2f} %  {run.seconds:7.1f} s  {run.note}")
     for name, runs in sides.items():
-        errors = [(abs(run.force / end - 1), run.seconds) for run in runs]
-        how = "between its meshes" if any(coarse[0] >= WANTED >= fine[0] for coarse, fine in itertools.pairwise(errors)) else "beyond its meshes"
-        say(f"{100 * WANTED:g} % of it: {name:<8} {time_to(errors, WANTED):6.0f} s, {how}")
+        seconds, between = time_to([(abs(run.force / end - 1), run.seconds) for run in runs], WANTED)
+        say(f"{100 * WANTED:g} % of it: {name:<8} {seconds:6.0f} s, {'between' if between else 'beyond'} its meshes")
 
 
 def of_push(run: Run) -> Timed:
     return Timed(float(run.force.max()), run.seconds, f"unloading {run.unloading_stiffness():7.1f} kN/mm  {run.note}")
 
 
-def main() -> int:
-    parser = arguments(__doc__)
-    parser.add_argument("--mesh", type=int, default=1), parser.add_argument("--speed", action="store_true"), parser.add_argument("--keep", action="store_true")
+def asked(description: str, mesh: int) -> argparse.Namespace:
+    """The command line, with the meshes of both programs; `mesh`: the one without --speed."""
+    parser = arguments(description)
+    parser.add_argument("--mesh", type=int, default=mesh), parser.add_argument("--speed", action="store_true"), parser.add_argument("--keep", action="store_true")
     options = parser.parse_args()
-    if lacks_getfem():
+    options.ours, options.theirs = ((0, 1, 2), (0, 1)) if options.speed else ((options.mesh,), (options.mesh,))
+    return options
+
+
+def main() -> int:
+    options = asked(__doc__, mesh=1)
+    if not is_ready(options):
         return SKIPPED
-    options.folder = options.folder.resolve()
-    options.folder.mkdir(parents=True, exist_ok=True)
     say = reporter(options.write)
-    meshes = (0, 1, 2) if options.speed else (options.mesh,)
-    ours = {mesh: run_ours(options, f"ours-mesh-{mesh}", mesh) for mesh in meshes}
-    theirs = {mesh: run_getfem(options, mesh) for mesh in ((0, 1) if options.speed else (options.mesh,))}
+    ours = {mesh: run_ours(options, f"ours-mesh-{mesh}", mesh) for mesh in options.ours}
+    theirs = {mesh: run_getfem(options, mesh) for mesh in options.theirs}
     for mesh, run in theirs.items():
         say(f"rim-push, mesh {mesh}: rimpact against GetFEM, contact at Gauss points found by its ray tracing")
         say("\n".join(table(ours[mesh], run)))

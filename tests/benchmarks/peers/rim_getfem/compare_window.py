@@ -16,9 +16,9 @@ import numpy as np
 
 HERE = pathlib.Path(__file__).parent
 sys.path.insert(0, str(HERE.parent / "rim_calculix"))
-from compare_push import Timed, speed  # noqa: E402
-from compare_rim_push import SKIPPED, arguments, missed, reporter, timed  # noqa: E402
-from getfem_here import lacks_getfem  # noqa: E402
+from compare_push import Timed, asked, speed  # noqa: E402
+from compare_rim_push import SKIPPED, missed, reporter, timed  # noqa: E402
+from getfem_here import is_ready  # noqa: E402
 
 GATES = {"peak force": 0.03, "penetration": 0.02, "rebound": 0.03, "plastic work": 0.02, "force over depth": 0.02}
 SPEED = 0.3
@@ -89,16 +89,12 @@ def compared(say, mesh, ours, theirs):
 
 
 def main():
-    parser = arguments(__doc__)
-    parser.add_argument("--mesh", type=int, default=0), parser.add_argument("--keep", action="store_true"), parser.add_argument("--speed", action="store_true")
-    options = parser.parse_args()
-    if lacks_getfem():
+    options = asked(__doc__, mesh=0)
+    if not is_ready(options):
         return SKIPPED
-    options.folder = options.folder.resolve()
-    options.folder.mkdir(parents=True, exist_ok=True)
     say = reporter(options.write)
-    by_mesh = {mesh: run_ours(options, mesh) for mesh in ((0, 1, 2) if options.speed else (options.mesh,))}
-    getfem = {mesh: run_getfem(options, mesh) for mesh in ((0, 1) if options.speed else (options.mesh,))}
+    by_mesh = {mesh: run_ours(options, mesh) for mesh in options.ours}
+    getfem = {mesh: run_getfem(options, mesh) for mesh in options.theirs}
     apart = [compared(say, mesh, by_mesh[mesh], getfem[mesh]) for mesh in getfem]
     if options.speed:
         speed(say, "peak force of the window", {"ours": list(map(of_window, by_mesh.values())), "GetFEM": list(map(of_window, getfem.values()))})

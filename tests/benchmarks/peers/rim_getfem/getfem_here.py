@@ -1,10 +1,13 @@
 """Whether GetFEM is installed, for scripts that compare with it."""
+import argparse
 import importlib.util
 
 
-def lacks_getfem() -> bool:
-    """Says so where it is not."""
-    lacks = importlib.util.find_spec("getfem") is None
-    if lacks:
+def is_ready(options: argparse.Namespace) -> bool:
+    """Makes the folder; False, with a word, where there is nothing to compare with."""
+    if importlib.util.find_spec("getfem") is None:
         print("skipped: GetFEM (Debian's python3-getfem) is not installed, so there is nothing to compare with")
-    return lacks
+        return False
+    options.folder = options.folder.resolve()
+    options.folder.mkdir(parents=True, exist_ok=True)
+    return True
