@@ -138,6 +138,7 @@ void ArcContact::leave(reduced::BearingState &bearing) const {
 }
 
 void ArcContact::visit(StateVisitor &v) {
+  v.choice("support", support_);
   v.number("multiplier", multiplier_);
   v.number("others_elastic", others_elastic_);
   v.number("others_plastic", others_plastic_);

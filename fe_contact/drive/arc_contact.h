@@ -46,7 +46,6 @@ public:
   bool walls_touch() const { return system_.walls_touch(arc().state); }
   const MassForces &forces() const { return forces_after_; } ///< at the step's end [N]
   const StepEnergies &energies() const { return energies_; } ///< of the step
-  void visit_support(StateVisitor &v) { v.choice("support", support_); }
   void visit(StateVisitor &v);
 
 private:

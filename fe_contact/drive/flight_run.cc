@@ -31,9 +31,8 @@ void visit_bearing(StateVisitor &v, reduced::BearingState &bearing, double end) 
 FlightRun::FlightRun(const scene::Scene &scene, const planning::Plan &plan, const RunOptions &options,
                      BearingSystem &system, RunRecord &record)
     : Drive(options, record, steps_a_checkpoint), scene_(scene), plan_(plan), system_(system), model_(scene),
-      bearing_(model_.initial_state()),
-      arcs_(scene.bearing, system, model_.height(scene.bearing.lateral_capacity(), 0).z,
-            MassLoads(scene, model_).initial_support() == Support::held),
+      bearing_(model_.initial_state()), arcs_(system, model_.height(scene.bearing.lateral_capacity(), 0).z,
+                                              MassLoads(scene, model_).initial_support() == Support::held),
       contact_(scene, plan, system, arcs_, model_) {}
 
 void FlightRun::run() {
@@ -229,7 +228,6 @@ void FlightRun::start_afresh() {
 
 void FlightRun::visit(StateVisitor &v) {
   v.part("bearing", [&] { visit_bearing(v, bearing_, end_time()); });
-  contact_.visit_support(v);
   arcs_.visit(v);
   v.flag("in_contact", in_contact_);
   v.number("next_step", next_step_, {in_contact_ ? 1e-300 : 0, 1e6});

@@ -14,14 +14,13 @@ constexpr double turning_step = 1e-4; // the slider turns round in steps of this
 /// hardly accelerates has none.
 double SlidingPace::longest_at_turn(const SlidingStack &stack) const {
   constexpr double at_rest = 0.3, share = 0.95; // [m/s^2]; of that time
-  const double speed = stack.active().top_of(stack.state.v).head<2>().norm(),
-               rate = stack.active().top_of(stack.state.a).head<2>().norm();
+  const double speed = stack.velocity().head<2>().norm(), rate = stack.active().top_of(stack.state.a).head<2>().norm();
   return rate > at_rest ? std::max(turning_step, share * speed / rate) : longest_sliding_step;
 }
 
 bool SlidingPace::rests_at(double t, const SlidingStack &stack) const {
   const bool scout_rests = t < plan_.moves_from || (plan_.rests_from > 0 && t > plan_.rests_from);
-  return scout_rests && stack.active().top_of(stack.state.v).head<2>().norm() < sliding_speed;
+  return scout_rests && stack.velocity().head<2>().norm() < sliding_speed;
 }
 
 double SlidingPace::longest(const SlidingStack &stack, bool resting) const {

@@ -161,9 +161,9 @@ void SlidingRun::visit(StateVisitor &v) {
 }
 
 void SlidingRun::sample(int iterations, double dt) {
-  fe::sample(record_, stack_.active(), stack_.state,
-             {t_, stack_.travel(), stack_.active().top_of(stack_.state.v), forces_of(stack_.active(), stack_.state),
-              stack_.gap(), iterations, dt});
+  fe::sample(
+      record_, stack_.active(), stack_.state,
+      {t_, stack_.travel(), stack_.velocity(), forces_of(stack_.active(), stack_.state), stack_.gap(), iterations, dt});
 }
 
 void SlidingRun::write_fields() {
@@ -248,7 +248,7 @@ double SlidingRun::book_hand_over(const SlidingRun &old) {
   EnergyLedger &ledger = record_.ledger;
   const EnergyLedger before = ledger;
   const double share = stack_.model().share(), sunk = scene_.load.vertical * (old.height_before_ - height_before_);
-  ledger.kinetic = share * stack_.active().kinetic_energy(stack_.state);
+  ledger.kinetic = stack_.kinetic_energy();
   ledger.elastic = share * (stack_.state.energies.elastic + stack_.held.energies.elastic) - stack_.rest_elastic;
   ledger.plastic = share * (stack_.state.energies.plastic + stack_.held.energies.plastic) - stack_.rest_plastic;
   ledger.damping = share * stack_.state.energies.damping;

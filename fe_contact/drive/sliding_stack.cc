@@ -33,7 +33,7 @@ void carry_contacts(const SystemState &old, const BearingSystem &system, SystemS
 } // namespace
 
 SlidingStack::SlidingStack(const Rung &rung, const scene::Scene &scene, const planning::Plan &plan)
-    : bearing_(scene.bearing), model_(rung, scene.bearing, mesh_order(scene, plan), model_options(scene)),
+    : model_(rung, scene.bearing, mesh_order(scene, plan), model_options(scene)),
       alone_(model_, scene.load.mass, RimState::held), joined_(model_, scene.load.mass, RimState::solid) {}
 
 Eigen::VectorXd SlidingStack::displacements() const {
@@ -47,11 +47,11 @@ Eigen::Vector3d SlidingStack::travel() const {
 }
 
 double SlidingStack::gap() const {
-  return bearing_.lateral_capacity() - travel().head<2>().norm();
+  return model_.bearing.lateral_capacity() - travel().head<2>().norm();
 }
 
 double SlidingStack::closing_speed() const {
-  const Eigen::Vector2d u = travel().head<2>(), v = active().top_of(state.v).head<2>();
+  const Eigen::Vector2d u = travel().head<2>(), v = velocity().head<2>();
   return u.norm() > 0 ? v.dot(u.normalized()) : 0;
 }
 

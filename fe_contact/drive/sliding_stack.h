@@ -19,10 +19,11 @@ public:
   const BearingSystem &active() const { return rim_is_solid() ? joined_ : alone_; }
   int unknowns() const { return joined_.equations().n; } ///< with the rim
 
-  Eigen::VectorXd displacements() const; ///< by dof, the held rim's shape included [m]
-  Eigen::Vector3d travel() const;        ///< of the top face from rest on the vertex [m]
-  double gap() const;                    ///< left of the lateral capacity [m]
-  double closing_speed() const;          ///< towards the rim [m/s]
+  Eigen::VectorXd displacements() const;                                ///< by dof, the held rim's shape included [m]
+  Eigen::Vector3d travel() const;                                       ///< of the top face from rest on the vertex [m]
+  Eigen::Vector3d velocity() const { return active().top_of(state.v); } ///< of the top face [m/s]
+  double gap() const;                                                   ///< left of the lateral capacity [m]
+  double closing_speed() const;                                         ///< towards the rim [m/s]
   bool touching() const { return active().walls_touch(state); }
   double kinetic_energy() const { return model_.share() * active().kinetic_energy(state); } ///< [J]
 
@@ -47,7 +48,6 @@ public:
   double rest_elastic = 0, rest_plastic = 0; ///< of the bearing as the run begins [J]
 
 private:
-  const scene::Bearing &bearing_;
   BearingModel model_;
   BearingSystem alone_, joined_;
 };

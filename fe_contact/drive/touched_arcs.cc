@@ -17,17 +17,22 @@ double direction_of(const Eigen::Vector3d &u) {
   return std::atan2(u.y(), u.x());
 }
 
+/// Angle between an arc's middle and a direction [rad], >= 0.
+double apart(const Arc &arc, double direction) {
+  return std::abs(std::remainder(direction - arc.frame.direction, 2 * M_PI));
+}
+
 } // namespace
 
 const Arc *TouchedArcs::at(const Eigen::Vector3d &u) const {
   const double direction = direction_of(u);
   for (const auto &arc : arcs_)
-    if (std::abs(std::remainder(direction - arc.frame.direction, 2 * M_PI)) < arc_width) return &arc;
+    if (apart(arc, direction) < arc_width) return &arc;
   return nullptr;
 }
 
 double TouchedArcs::wall_gap(const Eigen::Vector3d &u) const {
-  const double plain = bearing_.lateral_capacity() - u.head<2>().norm();
+  const double plain = bearing().lateral_capacity() - u.head<2>().norm();
   if (plain > nearest_look) return plain;
   const Arc *arc = at(u);
   return arc && arc->yielded ? arc->frame.rate_ratio() * system_.wall_gap(arc->state, arc->frame.master(u)) : plain;
@@ -39,9 +44,7 @@ std::optional<std::string> TouchedArcs::choose(const Eigen::Vector3d &u) {
     return {};
   }
   const double direction = direction_of(u);
-  const bool near = std::ranges::any_of(arcs_, [&](const Arc &arc) {
-    return std::abs(std::remainder(direction - arc.frame.direction, 2 * M_PI)) < 3 * arc_width;
-  });
+  const bool near = std::ranges::any_of(arcs_, [&](const Arc &arc) { return apart(arc, direction) < 3 * arc_width; });
   arcs_.push_back(fresh(direction));
   current_ = arcs_.size() - 1;
   if (!near) return {};

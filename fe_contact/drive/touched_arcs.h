@@ -14,8 +14,8 @@ struct Arc {
 class TouchedArcs {
 public:
   /// `touch_height` of the surface at L_c [m]; `level`: windows hold what is carried at its height.
-  TouchedArcs(const scene::Bearing &bearing, BearingSystem &system, double touch_height, bool level)
-      : bearing_(bearing), system_(system), touch_height_(touch_height), level_(level) {}
+  TouchedArcs(BearingSystem &system, double touch_height, bool level)
+      : system_(system), touch_height_(touch_height), level_(level) {}
   TouchedArcs(const TouchedArcs &) = delete;
 
   bool empty() const { return arcs_.empty(); }
@@ -31,11 +31,12 @@ public:
   void visit(StateVisitor &v);
 
 private:
-  RimFrame frame_at(double direction) const { return RimFrame::of(bearing_, direction, touch_height_, level_); }
-  Arc fresh(double direction) const { return {frame_at(direction), system_.at_rest(), false}; }
+  const scene::Bearing &bearing() const { return system_.model().bearing; }
+  Arc fresh(double direction) const {
+    return {RimFrame::of(bearing(), direction, touch_height_, level_), system_.at_rest(), false};
+  }
   const Arc *at(const Eigen::Vector3d &u) const; ///< null: none is known there
 
-  const scene::Bearing &bearing_;
   BearingSystem &system_;
   double touch_height_;
   bool level_;
