@@ -39,7 +39,7 @@ std::string rows(const Response &r, const std::string &lead = "", double start_m
 class Laboratory : public ::testing::Test {
 protected:
   void SetUp() override { write("scene.toml", scene::to_toml(window(0.3))); }
-  void write(const std::string &name, const std::string &text) { std::ofstream(folder.at(name)) << text; }
+  void write(const std::string &name, const std::string &text) { std::ofstream(folder_.at(name)) << text; }
   /// A mapping of columns t, u, F with or without units, `more` at its top.
   std::string mapping(const std::string &more = "", bool units = true, const std::string &u = "u",
                       const std::string &of_force = "", const std::string &tests = "") {
@@ -47,7 +47,7 @@ protected:
     write("test.toml", "scene = \"scene.toml\"\nfile = \"test.csv\"\n" + more + "[columns.time]\ncolumn = \"t\"\n" +
                            unit("ms") + "[columns.displacement_x]\ncolumn = \"" + u + "\"\n" + unit("mm") +
                            "[columns.impact_x]\ncolumn = \"F\"\n" + unit("kN") + of_force + tests);
-    return folder.at("test.toml");
+    return folder_.at("test.toml");
   }
   static std::string refused(const std::string &path) {
     try {
@@ -64,7 +64,7 @@ protected:
   static bool says(const std::vector<std::string> &notes, const std::string &words) {
     return std::any_of(notes.begin(), notes.end(), [&](const auto &n) { return n.find(words) != n.npos; });
   }
-  TemporaryFolder folder;
+  TemporaryFolder folder_;
 };
 
 TEST_F(Laboratory, ReadsUnitsWhereverTheyStand) {

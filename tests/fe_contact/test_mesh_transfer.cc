@@ -18,19 +18,19 @@ Eigen::Vector3d field(const Eigen::Vector3d &x) {
 
 class MeshesOfOneBearing : public testing::Test {
 protected:
-  const scene::Bearing bearing;
-  const Discretisation before{meshes::stack_mesh(bearing, draft({0})), 2},
-      after{meshes::stack_mesh(bearing, draft({0, 1.3})), 2};
-  const MeshTransfer transfer{before, after};
+  const scene::Bearing bearing_;
+  const Discretisation before_{meshes::stack_mesh(bearing_, draft({0})), 2},
+      after_{meshes::stack_mesh(bearing_, draft({0, 1.3})), 2};
+  const MeshTransfer transfer_{before_, after_};
 };
 
 TEST_F(MeshesOfOneBearing, ALinearFieldIsCarriedOverAndWhatIsNewIsAsMade) {
-  Eigen::VectorXd values(before.n_dofs());
-  for (std::size_t k = 0; k < before.n_nodes; ++k) values.segment<3>(3 * k) = field(before.positions[k]);
-  const Eigen::VectorXd carried = transfer.nodal(values);
+  Eigen::VectorXd values(before_.n_dofs());
+  for (std::size_t k = 0; k < before_.n_nodes; ++k) values.segment<3>(3 * k) = field(before_.positions[k]);
+  const Eigen::VectorXd carried = transfer_.nodal(values);
   int none = 0;
-  for (std::size_t k = 0; k < after.n_nodes; ++k) {
-    const Eigen::Vector3d x = after.positions[k], u = carried.segment<3>(3 * k);
+  for (std::size_t k = 0; k < after_.n_nodes; ++k) {
+    const Eigen::Vector3d x = after_.positions[k], u = carried.segment<3>(3 * k);
     if (x.head<2>().norm() > 0.43 && std::abs(std::atan2(x.y(), x.x())) > 1.02) {
       none += u.norm() == 0;
       EXPECT_EQ(u.norm(), 0) << x.transpose();
@@ -49,14 +49,14 @@ TEST_F(MeshesOfOneBearing, MaterialMemoryStaysWhereItIsInPadFootAndTheOldDent) {
       x += space.full_values[k % 27 * 27 + a] * space.positions[space.cell_nodes[k / 27 * 27 + a]];
     return x;
   };
-  SolidHistory old(27 * before.n_cells);
-  for (std::size_t k = 0; k < old.size(); ++k) old[k].alpha = strain(place(before, k));
-  const SolidHistory carried = transfer.history(old);
-  ASSERT_EQ(carried.size(), 27 * after.n_cells);
+  SolidHistory old(27 * before_.n_cells);
+  for (std::size_t k = 0; k < old.size(); ++k) old[k].alpha = strain(place(before_, k));
+  const SolidHistory carried = transfer_.history(old);
+  ASSERT_EQ(carried.size(), 27 * after_.n_cells);
   int same = 0, initial_history = 0;
   for (std::size_t k = 0; k < carried.size(); ++k) {
-    const Eigen::Vector3d x = place(after, k);
-    const auto volume = after.volumes[k / 27];
+    const Eigen::Vector3d x = place(after_, k);
+    const auto volume = after_.volumes[k / 27];
     const double angle = std::abs(std::atan2(x.y(), x.x())), r = x.head<2>().norm();
     const bool dent = r > 0.43 && angle < 0.03,
                kept = volume == meshes::Volume::pad || volume == meshes::Volume::foot || dent;

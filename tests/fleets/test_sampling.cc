@@ -48,10 +48,10 @@ TEST(Distribution, Quantiles) {
   EXPECT_NEAR(wide.quantile(0.5), 1, 1e-12);
   // the cut normal's distribution function gives p back
   const Distribution cut{Distribution::Kind::normal, 0.03, 0.07, 0.05, 0.0115};
-  const auto Phi = [](double x) { return std::erfc(-x / std::sqrt(2.0)) / 2; };
+  const auto normal_cdf = [](double x) { return std::erfc(-x / std::sqrt(2.0)) / 2; };
   const auto F = [&](double x) {
-    const double a = Phi((0.03 - 0.05) / 0.0115), b = Phi((0.07 - 0.05) / 0.0115);
-    return (Phi((x - 0.05) / 0.0115) - a) / (b - a);
+    const double a = normal_cdf((0.03 - 0.05) / 0.0115), b = normal_cdf((0.07 - 0.05) / 0.0115);
+    return (normal_cdf((x - 0.05) / 0.0115) - a) / (b - a);
   };
   for (const double p : {1e-9, 0.01, 0.3, 0.9, 1 - 1e-9}) EXPECT_NEAR(F(cut.quantile(p)), p, 1e-12);
   EXPECT_EQ(cut.quantile(0), 0.03);

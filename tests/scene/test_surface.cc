@@ -31,7 +31,7 @@ SurfaceSpec table_of(double (*height)(double), std::size_t n_rows, double end) {
 
 class Surfaces : public testing::TestWithParam<SurfaceKind> {
 protected:
-  std::unique_ptr<SlidingSurface> surface = make_surface(spec_of(GetParam()));
+  std::unique_ptr<SlidingSurface> surface_ = make_surface(spec_of(GetParam()));
 };
 INSTANTIATE_TEST_SUITE_P(Kinds, Surfaces,
                          testing::Values(SurfaceKind::ellipse, SurfaceKind::sphere, SurfaceKind::cone,
@@ -42,10 +42,10 @@ TEST_P(Surfaces, HeightFieldSolvesTheImplicitEquation) {
   for (const double r : {0.0, 0.1, 0.31, 0.5})
     for (const double angle : {0.0, 0.7, 2.5, 4.0}) {
       const double x = r * std::cos(angle), y = r * std::sin(angle);
-      const double z = surface->at(x, y).z;
-      EXPECT_NEAR(surface->F({x, y, z}), 0, 1e-14);
-      EXPECT_LT(surface->F({x, y, z + 1e-3}), 0) << "above the dish is inside";
-      EXPECT_GT(surface->F({x, y, z - 1e-3}), 0);
+      const double z = surface_->at(x, y).z;
+      EXPECT_NEAR(surface_->F({x, y, z}), 0, 1e-14);
+      EXPECT_LT(surface_->F({x, y, z + 1e-3}), 0) << "above the dish is inside";
+      EXPECT_GT(surface_->F({x, y, z - 1e-3}), 0);
     }
 }
 
@@ -54,14 +54,14 @@ TEST_P(Surfaces, DerivativesAgreeWithDifferences) {
   constexpr double h = 1e-5;
   for (int i = 0; i < 3; ++i) {
     const Eigen::Vector3d step = h * Eigen::Vector3d::Unit(i);
-    EXPECT_NEAR(surface->gradient(p)[i], (surface->F(p + step) - surface->F(p - step)) / (2 * h), 1e-8);
-    EXPECT_TRUE(surface->hessian(p).col(i).isApprox(
-        (surface->gradient(p + step) - surface->gradient(p - step)) / (2 * h), 1e-8));
+    EXPECT_NEAR(surface_->gradient(p)[i], (surface_->F(p + step) - surface_->F(p - step)) / (2 * h), 1e-8);
+    EXPECT_TRUE(surface_->hessian(p).col(i).isApprox(
+        (surface_->gradient(p + step) - surface_->gradient(p - step)) / (2 * h), 1e-8));
   }
-  const auto here = surface->at(p.x(), p.y());
+  const auto here = surface_->at(p.x(), p.y());
   for (int i = 0; i < 2; ++i) {
     const Eigen::Vector2d s = h * Eigen::Vector2d::Unit(i), q = p.head<2>();
-    const auto up = surface->at(q.x() + s.x(), q.y() + s.y()), down = surface->at(q.x() - s.x(), q.y() - s.y());
+    const auto up = surface_->at(q.x() + s.x(), q.y() + s.y()), down = surface_->at(q.x() - s.x(), q.y() - s.y());
     EXPECT_NEAR(here.gradient[i], (up.z - down.z) / (2 * h), 1e-9);
     EXPECT_TRUE(here.hessian.col(i).isApprox((up.gradient - down.gradient) / (2 * h), 1e-7));
   }
@@ -69,7 +69,7 @@ TEST_P(Surfaces, DerivativesAgreeWithDifferences) {
 
 TEST_P(Surfaces, CurvatureAtTheVertexIsOneOverR0) {
   if (GetParam() == SurfaceKind::table) GTEST_SKIP() << "a table's vertex is what its rows say";
-  const auto k = surface->curvatures(0);
+  const auto k = surface_->curvatures(0);
   EXPECT_NEAR(k.meridional, 1 / 2.25, 1e-14);
   EXPECT_NEAR(k.circumferential, 1 / 2.25, 1e-14);
 }
@@ -79,11 +79,11 @@ TEST_P(Surfaces, CurvatureAtTheVertexIsOneOverR0) {
 TEST_P(Surfaces, CurvaturesAreThoseOfTheHeightField) {
   for (const double r : {0.0, 1e-9, 0.05, 0.21, 0.45}) {
     const double x = 0.6 * r, y = -0.8 * r;
-    const auto p = surface->at(x, y);
+    const auto p = surface_->at(x, y);
     const double S = std::sqrt(1 + p.gradient.squaredNorm());
     const Eigen::Matrix2d metric = Eigen::Matrix2d::Identity() + p.gradient * p.gradient.transpose();
     const Eigen::Matrix2d shape = metric.inverse() * p.hessian / S;
-    const auto k = surface->curvatures(r);
+    const auto k = surface_->curvatures(r);
     EXPECT_NEAR(shape.trace(), k.meridional + k.circumferential, 1e-12) << r;
     EXPECT_NEAR(shape.determinant(), k.meridional * k.circumferential, 1e-12) << r;
   }
