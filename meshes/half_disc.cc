@@ -1,32 +1,41 @@
 #include "meshes/half_disc.h"
 
-#include "io/files/error.h"
-#include "meshes/gmsh_session.h"
+#include "meshes/core_polygon.h"
 #include <algorithm>
 #include <cmath>
 
 namespace rimpact::meshes {
 namespace {
 
+/// On a circle about the origin, on the axes exactly.
+Point2 on_circle(double r, double angle) {
+  const double x = std::cos(angle), y = std::sin(angle);
+  return {std::abs(x) < 1e-12 ? 0 : r * x, std::abs(y) < 1e-12 ? 0 : r * y};
+}
+
+/// Of a quarter, not a half.
+bool is_quarter(const std::vector<double> &angles) {
+  return angles.back() < 0.75 * M_PI;
+}
+
 /// Steps narrower than `least` of the mean one widened to it, at the others' cost: lines that are fine on the arc would
 /// meet in slivers further in. 0: as they are.
 std::vector<double> widened(const std::vector<double> &angles, double least) {
   if (least == 0) return angles;
-  const double narrowest = least * M_PI / (angles.size() - 1);
+  const double narrowest = least * angles.back() / (angles.size() - 1);
   std::vector<double> result{0};
   for (std::size_t k = 0; k + 1 < angles.size(); ++k)
     result.push_back(result.back() + std::max(angles[k + 1] - angles[k], narrowest));
-  for (double &angle : result) angle *= M_PI / result.back();
+  const double scale = angles.back() / result.back();
+  for (double &angle : result) angle *= scale;
   return result;
 }
 
-/// Nodes of the polygon that gmsh fills: corners at the even angles, the middles of its edges between them.
+/// Nodes of the polygon's outer side that gmsh fills: corners at the even angles, the middles of its edges between
+/// them.
 std::vector<Point2> polygon(double radius, const std::vector<double> &angles) {
   constexpr double share = 0.55;
-  const auto corner = [&](std::size_t k) -> Point2 {
-    const double r = share * radius;
-    return {r * std::cos(angles[k]), k + 1 == angles.size() ? 0.0 : r * std::sin(angles[k])};
-  };
+  const auto corner = [&](std::size_t k) { return on_circle(share * radius, angles[k]); };
   std::vector<Point2> result{corner(0)};
   for (std::size_t k = 2; k < angles.size(); k += 2) {
     const Point2 a = result.back(), b = corner(k);
@@ -35,63 +44,11 @@ std::vector<Point2> polygon(double radius, const std::vector<double> &angles) {
   return result;
 }
 
-void mesh_polygon(const std::vector<Point2> &polygon, double size) {
-  namespace geo = gmsh::model::geo;
-  gmsh::model::add("core");
-  const double coarse = 2 * size; // the subdivision halves every edge
-  std::vector<int> points, curves;
-  for (std::size_t k = 0; k < polygon.size(); k += 2)
-    points.push_back(geo::addPoint(polygon[k][0], polygon[k][1], 0, coarse));
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    curves.push_back(geo::addLine(points[k], points[(k + 1) % points.size()]));
-    const double length = k + 1 == points.size() ? polygon.front()[0] - polygon.back()[0] : 0; // of the diameter
-    const int n = std::max(1, static_cast<int>(std::lround(length / coarse)));
-    geo::mesh::setTransfiniteCurve(curves.back(), n + 1);
-  }
-  geo::addPlaneSurface({geo::addCurveLoop(curves)});
-  geo::synchronize();
-  gmsh::model::mesh::generate(2);
-}
-
-/// Straight-edged quadrilaterals of the polygon.
-std::vector<Quad9> polygon_quads(const std::vector<Point2> &polygon, double size) {
-  const GmshSession session;
-  gmsh::option::setNumber("Mesh.RecombineAll", 1);
-  gmsh::option::setNumber("Mesh.RecombinationAlgorithm", 1);
-  gmsh::option::setNumber("Mesh.SubdivisionAlgorithm", 1); // leaves quadrilaterals only
-  try {
-    mesh_polygon(polygon, size);
-  } catch (const std::string &message) { // what gmsh 4.8 throws
-    throw DataError("gmsh could not mesh the slider's core: " + message);
-  }
-  std::vector<std::size_t> tags, elements, connectivity, triangles, triangle_nodes;
-  std::vector<double> coordinates, parameters;
-  gmsh::model::mesh::getNodes(tags, coordinates, parameters);
-  std::map<std::size_t, Point2> nodes;
-  for (std::size_t k = 0; k < tags.size(); ++k)
-    nodes[tags[k]] = {coordinates[3 * k], std::abs(coordinates[3 * k + 1]) < 1e-12 ? 0.0 : coordinates[3 * k + 1]};
-  gmsh::model::mesh::getElementsByType(3, elements, connectivity);
-  gmsh::model::mesh::getElementsByType(2, triangles, triangle_nodes);
-  if (elements.empty() || !triangles.empty())
-    throw DataError("gmsh did not fill the slider's core with quadrilaterals");
-  std::vector<Quad9> quads;
-  for (std::size_t k = 0; k < elements.size(); ++k) {
-    Point2 c[4];
-    for (int i = 0; i < 4; ++i) c[i] = nodes.at(connectivity[4 * k + i]);
-    const double area = (c[2][0] - c[0][0]) * (c[3][1] - c[1][1]) - (c[3][0] - c[1][0]) * (c[2][1] - c[0][1]);
-    if (area < 0) std::swap(c[1], c[3]);
-    quads.push_back(straight_quad(c[0], c[1], c[2], c[3], Volume::upper_slider));
-  }
-  return quads;
-}
-
 std::vector<Quad9> disc(double radius, const std::vector<double> &angles, const std::vector<Point2> &polygon,
                         double size) {
-  std::vector<Quad9> quads = polygon_quads(polygon, size);
+  std::vector<Quad9> quads = polygon_quads(polygon, is_quarter(angles), size);
   for (std::size_t k = 0; k + 1 < angles.size(); ++k) {
-    const auto arc = [&](double angle) -> Point2 {
-      return {radius * std::cos(angle), angle > M_PI - 1e-12 ? 0.0 : radius * std::sin(angle)};
-    };
+    const auto arc = [&](double angle) { return on_circle(radius, angle); };
     Quad9 quad = straight_quad(polygon[k], arc(angles[k]), arc(angles[k + 1]), polygon[k + 1], Volume::upper_slider);
     quad.nodes[5] = arc(0.5 * (angles[k] + angles[k + 1]));
     centre(quad);
@@ -116,9 +73,8 @@ double soundness(const std::vector<Quad9> &quads, std::size_t core, double size)
   return smallest;
 }
 
-} // namespace
-
-std::vector<Quad9> half_disc(double radius, const std::vector<double> &angles, double size) {
+/// Of the half or the quarter that the angles go round, as sound as widening its inner lines makes it.
+std::vector<Quad9> soundest(double radius, const std::vector<double> &angles, double size) {
   constexpr double sound = 0.13;
   std::vector<Quad9> quads;
   double best = -1;
@@ -129,10 +85,39 @@ std::vector<Quad9> half_disc(double radius, const std::vector<double> &angles, d
       const double reached = soundness(tried, tried.size() + 1 - angles.size(), size);
       if (reached > best) best = reached, quads = std::move(tried);
     }
+  return quads;
+}
+
+void mark_symmetry(std::vector<Quad9> &quads) {
   constexpr int ends[4][2] = {{0, 6}, {2, 8}, {0, 2}, {6, 8}};
   for (auto &quad : quads)
     for (int e = 0; e < 4; ++e)
       if (quad.nodes[ends[e][0]][1] == 0 && quad.nodes[ends[e][1]][1] == 0) quad.groups[e] = Surface::symmetry;
+}
+
+/// In the plane x = 0.
+Quad9 image_of(const Quad9 &quad) {
+  Quad9 result = quad;
+  for (int k = 0; k < 9; ++k) {
+    const auto &[x, y] = quad.nodes[k - k % 3 + 2 - k % 3];
+    result.nodes[k] = {x == 0 ? 0.0 : -x, y};
+  }
+  return result;
+}
+
+} // namespace
+
+std::vector<Quad9> half_disc(double radius, const std::vector<double> &angles, double size) {
+  std::vector<Quad9> quads = soundest(radius, angles, size);
+  mark_symmetry(quads);
+  return quads;
+}
+
+std::vector<Quad9> symmetric_half_disc(double radius, const std::vector<double> &quarter, double size) {
+  std::vector<Quad9> quads = soundest(radius, quarter, size);
+  const std::size_t n = quads.size();
+  for (std::size_t k = 0; k < n; ++k) quads.push_back(image_of(quads[k]));
+  mark_symmetry(quads);
   return quads;
 }
 

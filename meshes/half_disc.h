@@ -12,6 +12,8 @@ namespace rimpact::meshes {
 /// evenly and its cells get finer, as far as serves. Size: wanted edge length inside [m]. Edges on y = 0 carry the
 /// group `symmetry`.
 std::vector<Quad9> half_disc(double radius, const std::vector<double> &angles, double size);
+/// The same, its own image in the plane x = 0, from the angles of the quarter x >= 0 (0 .. pi / 2).
+std::vector<Quad9> symmetric_half_disc(double radius, const std::vector<double> &quarter, double size);
 
 /// Angles as half_disc wants them: every interval halved.
 std::vector<double> halved(const std::vector<double> &lines);

@@ -1,7 +1,7 @@
 #include "meshes/slider_section.h"
 
 #include "meshes/half_disc.h"
-#include "meshes/touched_places.h"
+#include "meshes/slider_angles.h"
 #include "meshes/units.h"
 #include <cmath>
 
@@ -118,6 +118,8 @@ std::vector<Quad9> ring_section(const SliderShape &s, const RingGrid &grid) {
       if (j == 0 && i + 2 == columns) {
         quad.nodes[1] = arc(3 * begins / 4);
         quad.groups[2] = Surface::slider_side;
+      } else if (j == 0 && s.centre > 0) {
+        quad.groups[2] = Surface::pad_face;
       }
       if (j + 2 == layers) quad.groups[3] = Surface::top;
       centre(quad);
@@ -141,25 +143,18 @@ void add_slider(HexMesh &mesh, const scene::Bearing &bearing, double h, double t
                 const std::vector<double> &places) {
   const SliderShape s = shape_of(bearing, travel);
   const RingGrid grid = ring_grid(s, h);
-  // Angles come in equal pairs: gmsh halves every edge of the core's plan.
-  const PlaceSizes sizes{2 * 10 * mm * h / s.radius, 20 * mm / s.radius, M_PI / 2, 0.9 * h};
-  std::vector<Anchor> anchors = anchors_at(folded(places, sizes.apart()), sizes);
-  if (const double left = M_PI - anchors.back().at; left > sizes.past_zone()) {
-    anchors.push_back({anchors.back().at + sizes.zone, sizes.fine});
-    anchors.push_back({M_PI, std::max(sizes.fine, 2 * 1.5 * h * left / M_PI)});
-  } else if (left > 1e-9) {
-    anchors.push_back({M_PI, sizes.fine});
-  }
-  const std::vector<double> angles = halved(graded_lines(anchors));
+  const bool between_dishes = bearing.double_concave(), own_image = between_dishes && travel == 0;
+  const std::vector<double> lines = own_image ? quarter_angles(places, s.radius, h) : half_angles(places, s.radius, h);
   Body body(mesh);
-  const bool between_dishes = bearing.double_concave();
   const double axis = between_dishes ? 0.0 : travel;
   const std::size_t first = mesh.nodes.size();
-  body.revolve(ring_section(s, grid), angles, axis, Surface::symmetry, Surface::symmetry);
+  body.revolve(ring_section(s, grid), own_image ? with_image(lines) : lines, axis, Surface::symmetry,
+               Surface::symmetry);
   const auto height = [&](double r, double level) {
     return s.point(std::min(r, s.core), at_level(grid.inner, level))[1];
   };
-  body.raise(half_disc(s.core, angles, 25 * mm * h), grid.inner.size() - 1, axis, height, Volume::upper_slider,
+  body.raise(own_image ? symmetric_half_disc(s.core, lines, 25 * mm * h) : half_disc(s.core, lines, 25 * mm * h),
+             grid.inner.size() - 1, axis, height, Volume::upper_slider,
              between_dishes ? Surface::pad_face : Surface::socket, Surface::top);
   if (between_dishes) tilt_about_dish(mesh, first, bearing.surface.R0, scene::tilt(bearing, travel));
 }

@@ -21,7 +21,7 @@ void turn(HexMesh &mesh, double angle) {
 HexMesh built_in(const scene::Bearing &bearing, const MeshOrder &order) {
   const double h = size_factor(order.level);
   HexMesh mesh;
-  add_pad_and_foot(mesh, bearing, h);
+  if (bearing.has_pad()) add_pad_and_foot(mesh, bearing, h);
   add_slider(mesh, bearing, h, 0.0, from_the_first(order.directions));
   if (order.whole_plate) add_whole_plate(mesh, bearing, order);
   flatten(mesh);
@@ -49,8 +49,8 @@ HexMesh drawn(const scene::Bearing &bearing, const MeshOrder &order, const std::
 } // namespace
 
 HexMesh stack_mesh(const scene::Bearing &bearing, const MeshOrder &order) {
-  std::vector<Surface> required{Surface::pad_face, Surface::foot_cap, Surface::socket, Surface::slider_side,
-                                Surface::top};
+  std::vector<Surface> required{Surface::pad_face, Surface::slider_side, Surface::top};
+  if (bearing.has_pad()) required.insert(required.end(), {Surface::foot_cap, Surface::socket});
   if (order.rim || order.whole_plate) required.insert(required.end(), rim_groups.begin(), rim_groups.end());
   if (order.whole_plate) required.push_back(Surface::dish);
   if (bearing.pad_is_seated())
@@ -59,7 +59,8 @@ HexMesh stack_mesh(const scene::Bearing &bearing, const MeshOrder &order) {
   HexMesh result = order.own.any() ? drawn(bearing, order, required) : built_in(bearing, order);
   turn(result, order.directions.front());
   if (order.half) flatten(result);
-  if (!order.own.any()) check(result, (bearing.pad_is_seated() ? 3 : 2) + pieces_of_plate(order), required);
+  const int pieces = bearing.pad_is_seated() ? 3 : bearing.has_pad() ? 2 : 1;
+  if (!order.own.any()) check(result, pieces + pieces_of_plate(order), required);
   return result;
 }
 

@@ -1,7 +1,7 @@
 """python3 -m report.stack_picture FILE.vtu OUT.png: the deformed bearing of rung rigid-dish, in true scale.
 
 Left: the cut through the axis in the direction of travel, coloured by von Mises stress. Right: the pressure under
-the pad, seen from above, its axes fixed to the pad. A half model is mirrored where the picture needs the whole. Cells are
+the pad, or a slider between two dishes, seen from above, its axes fixed to it. A half model is mirrored where the picture needs the whole. Cells are
 drawn as curved as the file has them, values averaged where the cells of a body meet."""
 import argparse
 
@@ -20,6 +20,7 @@ from .style import MUTED, plt, save
 
 STRESS = LinearSegmentedColormap.from_list("stress", ["#eef2f5", "#b7cfe0", "#5b9bc4", "#1f5f94", "#0a2342"])
 PRESSURE = LinearSegmentedColormap.from_list("pressure", ["#f4f6f8", "#f7d794", "#ef8f3f", "#bb372f", "#4a0d3a"])
+PAD = 3  # its number among the parts
 PAD_REACH, PAD_DEPTH = 0.12, 0.012  # the sliding face lies within this radius and height of the vertex [m]
 
 
@@ -28,7 +29,13 @@ def travel_angle(grid: vtu.Grid) -> float:
     moved = grid.point_data["displacement"]
     slider = grid.points[:, 2] > grid.points[:, 2].max() - 1e-6
     x, y = moved[slider].mean(axis=0)[:2]
+    if _is_half(grid.points):
+        y = 0.0  # in its plane, whatever its half of the face does
     return float(np.arctan2(y, x)) if np.hypot(x, y) > 1e-4 else 0.0
+
+
+def _is_half(points: np.ndarray) -> bool:
+    return bool(points[:, 1].min() > -1e-6 or points[:, 1].max() < 1e-6)
 
 
 class Stack:
@@ -43,7 +50,8 @@ class Stack:
         self.points = turned(grid.points, angle)
         self.moved = self.points + turned(grid.point_data["displacement"].astype(float), angle)
         self.pressure = grid.point_data["contact_pressure_MPa"].astype(float)
-        self.half = self.points[:, 1].min() > -1e-6 or self.points[:, 1].max() < 1e-6
+        self.half = _is_half(self.points)
+        self.has_pad = "part" not in grid.point_data or bool(np.any(np.round(grid.point_data["part"]) == PAD))
         self.place = merged(self.points)
         body = body_of_points(self.cells, bodies(self.cells, self.place), len(self.points))
         self.stress = smooth(grid.point_data["von_mises_MPa"].astype(float), self.place, body)
@@ -58,8 +66,10 @@ class Stack:
         """Nodes (n, 4, 8 or 9, 2) in (x, y) [mm] of the sliding face about its own middle, and the pressure at them."""
         faces, _ = boundary_faces(self.cells, self.place)
         quads = self.points[faces[:, :4]]
-        sliding = ((np.hypot(*quads[:, :, :2].reshape(-1, 2).T).reshape(-1, 4).max(axis=1) < PAD_REACH)
-                   & (quads[:, :, 2].min(axis=1) > -1e-6) & (quads[:, :, 2].max(axis=1) < PAD_DEPTH) & (normals(quads)[:, 2] < -0.7))
+        sliding = (quads[:, :, 2].min(axis=1) > -1e-6) & (normals(quads)[:, 2] < -0.7)
+        if self.has_pad:
+            sliding &= ((np.hypot(*quads[:, :, :2].reshape(-1, 2).T).reshape(-1, 4).max(axis=1) < PAD_REACH)
+                        & (quads[:, :, 2].max(axis=1) < PAD_DEPTH))
         flat, values = 1e3 * self.points[faces[sliding]][:, :, :2], self.pressure[faces[sliding]]
         if self.half and len(flat):
             flat, values = np.concatenate([flat, flat * [1, -1]]), np.concatenate([values, values])
@@ -109,7 +119,8 @@ def _draw_pad(fig: Figure, ax: Axes, stack: Stack) -> None:
     norm = Normalize(0.0, max(pressure.max(), 1e-3))
     _fill(ax, nodes, pressure, PRESSURE, norm, 0.3)
     reach = 1.05 * np.abs(nodes).max()
-    ax.set(xlim=(-reach, reach), ylim=(-reach, reach), xlabel="along the travel (mm)", title="Pressure under the pad")
+    ax.set(xlim=(-reach, reach), ylim=(-reach, reach), xlabel="along the travel (mm)",
+           title=f"Pressure under the {'pad' if stack.has_pad else 'slider'}")
     ax.set_aspect("equal", adjustable="box")
     ax.grid(False)
     bar = fig.colorbar(ScalarMappable(norm, PRESSURE), ax=ax, orientation="horizontal", shrink=0.9, aspect=22)

@@ -110,12 +110,14 @@ void warn_of_tipping(const scene::Scene &scene, Summary &summary) {
                middle = b.surface.R0 - (b.surface.R0 - b.slider.height / 2) * std::cos(tilt),
                arm = 2 * (middle - scene::edge_at_touch(b) - b.slider.edge_radius),
                couple = *summary.peak_impact_force * arm, held = scene.load.vertical * b.slider.diameter;
+  const auto rung = rung_of(summary.rung);
+  const bool turns = rung && has_dish(*rung);
   if (couple > held)
     warn(summary,
          fmt::format("the rims' forces of {:.0f} kN turn the slider with {:.0f} kN m, more than the {:.0f} kN m "
-                     "that its faces hold under the dead load: it tips and may climb a rim, which this model "
-                     "does not follow",
-                     *summary.peak_impact_force / 1e3, couple / 1e3, held / 1e3));
+                     "that its faces hold under the dead load: it tips and may climb a rim{}",
+                     *summary.peak_impact_force / 1e3, couple / 1e3, held / 1e3,
+                     turns ? "" : ", which this model does not follow"));
 }
 
 json rim_foot(const scene::Scene &scene, Summary &summary) {

@@ -134,10 +134,10 @@ void add_building_signals(List &list) {
 
 /// Of finite elements: walls, steel, pressures, the rim's foot.
 void add_solid_signals(List &list) {
-  list.push_back({"surface_gap", "m", "smallest distance of slider and rim walls"});
+  list.push_back({"surface_gap", "m", "way until slider and rim walls meet, of both rims of two dishes together"});
   list.push_back({"plastic_strain_max", "1", "largest equivalent plastic strain"});
   list.push_back({"contact_pressure_max", "Pa", "largest contact pressure"});
-  list.push_back({"pad_pressure_max", "Pa", "largest pressure of the pad on the dish"});
+  list.push_back({"pad_pressure_max", "Pa", "largest pressure of the pad on the dish, or of a slider between two"});
   list.push_back({"seat_pressure_max", "Pa", "largest pressure of a frictional pad on the bottom of its recess"});
   list.push_back({"recess_pressure_max", "Pa", "largest pressure of a frictional pad on the wall of its recess"});
   list.push_back({"energy_friction_seat", "J", "of energy_friction, dissipated in a frictional pad's recess"});

@@ -204,8 +204,8 @@ std::optional<std::string> doubt_of_bounce(const Response &response) {
   const auto first = std::find_if(normal.begin(), normal.end(), [&](double N) { return N < off * normal.front(); });
   if (first == normal.end() || t.back() - t[first - normal.begin()] < until_back) return {};
   return fmt::format("the slider leaves the dish at t = {:.3f} s and lands again, and nothing damps the bounces that "
-                     "follow: later impacts, and where it comes to rest, depend on what the pad loses "
-                     "(bearing.pad.loss_factor)",
+                     "follow: later impacts, and where it comes to rest, depend on what a pad loses "
+                     "(bearing.pad.loss_factor, of one dish)",
                      t[first - normal.begin()]);
 }
 

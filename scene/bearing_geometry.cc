@@ -239,13 +239,7 @@ void check(const Bearing &b, bool with_stack) {
   check_friction(b.contact);
   check_dish(b);
   check_connection(b);
-  if (b.double_concave()) {
-    require(!with_stack,
-            "surface.concave \"{}\": a slider between two dishes has neither pad nor foot; rung `rim` and the reduced "
-            "model without their terms know it",
-            word(b.surface.concave));
-    return check_rim(b);
-  }
+  if (b.double_concave()) return check_rim(b);
   check_slider(b);
   require(!(b.pad.loss_factor > 0 && b.ertalyte.yield),
           "pad.loss_factor {:g} beside a material.ertalyte.yield_MPa: a pad that loses energy as it strains is elastic",
@@ -273,6 +267,9 @@ void check_bearing(const Scene &scene) {
     check_ranges(scene.bearing);
     return check_dish(scene.bearing);
   }
+  require(scene.bearing.has_pad() || !(scene.reduced.finite_pad || scene.reduced.socket_friction),
+          "reduced.{} is not for surface.concave \"{}\": a slider between two dishes has neither pad nor socket",
+          scene.reduced.finite_pad ? "finite_pad" : "socket_friction", word(scene.bearing.surface.concave));
   scene.needs_stack() ? scene.bearing.validate() : scene.bearing.validate_rim();
 }
 

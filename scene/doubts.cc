@@ -123,7 +123,7 @@ std::vector<std::string> doubts(const Scene &scene, bool load_is_read) {
     for (auto &doubt : doubts_of_grade(scene.bearing)) found.push_back(std::move(doubt));
     doubt_sizes(scene.bearing, found);
   }
-  if (scene.needs_stack()) doubt_pad(scene.bearing, found);
+  if (scene.needs_stack() && scene.bearing.has_pad()) doubt_pad(scene.bearing, found);
   return found;
 }
 

@@ -81,14 +81,13 @@ void remark_on_isolator(const TomlFile &file, Scene &scene) {
 /// What solids slide by, and what a pad loses, stands in two places: what a run does not read of them is said.
 void remark_on_pad(Scene &scene) {
   const double slides_by = scene.bearing.contact.steel_ertalyte, eta = scene.bearing.pad.loss_factor;
-  const bool solid = has_dish(scene.model.rung);
-  if (!scene.bearing.has_pad()) return;
+  const bool solid = has_dish(scene.model.rung), has_pad = scene.bearing.has_pad();
   if (solid && !scene.reduced.measured.table && std::abs(scene.reduced.mu_fast - slides_by) > 1e-12)
     scene.remarks.push_back(
         fmt::format("reduced.mu_fast {:g} is not read by rung `{}`, but by the reduced model and the "
-                    "scout: its pad slides by bearing.contact.steel_ertalyte {:g}",
-                    scene.reduced.mu_fast, word(scene.model.rung), slides_by));
-  if (!solid && eta > 0 && scene.reduced.normal_force != NormalForce::pad)
+                    "scout: its {} slides by bearing.contact.steel_ertalyte {:g}",
+                    scene.reduced.mu_fast, word(scene.model.rung), has_pad ? "pad" : "slider", slides_by));
+  if (has_pad && !solid && eta > 0 && scene.reduced.normal_force != NormalForce::pad)
     scene.remarks.push_back(fmt::format("bearing.pad.loss_factor {:g} is not read: the reduced model has a pad with "
                                         "reduced.normal_force \"{}\", finite elements with rungs `rigid-dish` and "
                                         "`full`",

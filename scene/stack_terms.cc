@@ -58,6 +58,7 @@ void leave_out_what_does_not_fit(Scene &scene) {
     r.normal_force = NormalForce::inertia; // the pad's spring is for a rigid mass on friction with an elastic slip
   if (!r.finite_pad && !r.socket_friction) return;
   try {
+    if (!scene.bearing.has_pad()) throw InputError("a slider between two dishes has neither");
     scene.bearing.validate();
   } catch (const InputError &error) {
     r.finite_pad = r.socket_friction = false;

@@ -44,6 +44,7 @@ json critical_amplitudes(const std::vector<Job> &jobs) {
     scene::Scene stack = job.scene;
     reduced::add_stack_terms(stack);
     for (const auto &[key, scene] : {std::pair{"reduced_g", &job.scene}, {"reduced_with_pad_and_socket_g", &stack}}) {
+      if (scene == &stack && !stack.bearing.has_pad()) continue;
       const auto scale = reduced::critical_scale(*scene);
       row[key] = scale ? json(*scale * job.scene.excitation.amplitude_g) : json();
     }

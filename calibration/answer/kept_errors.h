@@ -17,9 +17,9 @@ struct KeptError {
 };
 
 /// A rung against `full` on the same mesh, by every study that ran both, and by kept windows of shfps-225
-/// (tests/verification/windows_of_rungs.txt).
+/// (tests/verification/windows_of_rungs.txt). Of a slider between two dishes by studies of its own rim alone.
 std::vector<KeptError> rung_errors(const std::vector<StoredStudy> &studies, const std::string &rung,
-                                   const std::string &rim);
+                                   const scene::Bearing &bearing);
 
 /// Longest step inside an impact where the scene names none (fe_contact/planning/plan.h) [s].
 inline constexpr double planned_step = 1e-3;

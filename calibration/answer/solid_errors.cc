@@ -91,15 +91,9 @@ void SolidErrors::of_rung(ErrorParts &parts) const {
       parts.add(quantity, ErrorSource::rung, no_error("rung full models the whole bearing"));
     return;
   }
-  if (answer_.scene.bearing.double_concave()) { // of other bearings nothing is told
-    for (const Erring quantity : of_impacts)
-      parts.add(quantity, ErrorSource::rung,
-                {.how = Known::unknown, .from = "a slider between two dishes is solved by rung rim alone"});
-    return;
-  }
   std::vector<KeptError> all;
   for (const std::string &rung : answer_.rungs)
-    for (KeptError &each : rung_errors(studies_, rung, answer_.rim_identity)) all.push_back(std::move(each));
+    for (KeptError &each : rung_errors(studies_, rung, answer_.scene.bearing)) all.push_back(std::move(each));
   add_kept(parts, ErrorSource::rung, all, found_by(find_rung), "no study has rung full beside it");
 }
 

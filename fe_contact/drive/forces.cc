@@ -11,11 +11,13 @@ namespace rimpact::fe {
 BearingForces forces_of(const BearingSystem &system, const SystemState &state) {
   BearingForces result;
   result.rim = system.force_of(state, Role::wall);
-  if (!system.contact_of(Role::dish)) return result;
-  const Eigen::Vector3d dish = system.force_of(state, Role::dish);
-  result.friction = system.friction_of(state, Role::dish);
-  result.pendular = dish - result.friction;
-  result.normal = dish.z();
+  for (const Role role : {Role::dish, Role::edge}) {
+    if (!system.contact_of(role)) continue;
+    const Eigen::Vector3d force = system.force_of(state, role), friction = system.friction_of(state, role);
+    result.friction += friction;
+    result.pendular += force - friction;
+    result.normal = result.normal.value_or(0) + force.z();
+  }
   return result;
 }
 

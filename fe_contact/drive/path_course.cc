@@ -68,7 +68,8 @@ PathCourse course_on_dish(const scene::Scene &scene) {
   const scene::Excitation e = scene.excitation;
   const double capacity = scene.bearing.lateral_capacity(),
                cycles = e.kind == scene::ExcitationKind::figure_eight || !e.stays_on_dish() ? 1.0 : e.rounds();
-  const auto top = [=](double s) { return TopTarget{scene::prescribed_displacement(e, capacity, s), {}}; };
+  const int dishes = scene.bearing.dishes();
+  const auto top = [=](double s) { return TopTarget{scene::prescribed_displacement(e, capacity, s) / dishes, {}}; };
   return {.phases = phases_on_dish(scene, cycles),
           .growth = 2,
           .top = top,

@@ -23,7 +23,7 @@ struct PathCourse {
   };
   std::vector<Phase> phases;
   double growth;                          ///< of the next step
-  std::function<TopTarget(double s)> top; ///< in the model's frame, from its reference position
+  std::function<TopTarget(double s)> top; ///< of the model's top face or middle, in its frame
   std::optional<RimFrame> frame;          ///< of the model, where it is not the plate's
   double parts_from = 2;                  ///< from here on the path ends where the walls part
   double picture;                         ///< fields are written so often

@@ -75,7 +75,8 @@ private:
     const TopTarget top = course_.top(report.reached);
     throw SolverStopped(fmt::format("the path stopped at load parameter {:.4f}, {:.4f} mm from its start: {}; partial "
                                     "results are kept; try a finer mesh, or go on with --resume",
-                                    report.reached, 1e3 * top.plane.norm(), report.reason));
+                                    report.reached, 1e3 * (on_dish_ ? model_.rate_ratio : 1) * top.plane.norm(),
+                                    report.reason));
   }
 
   ContactSystem &system() override { return system_; }
@@ -114,9 +115,10 @@ private:
       for (auto *force : {&result.pendular, &result.friction, &result.rim}) *force = course_.frame->force(*force);
     return result;
   }
-  /// Of the slider from rest on the vertex, in the plate's frame [m].
+  /// Of what is carried, from rest on the vertex, in the plate's frame [m].
   Eigen::Vector3d displacement(const Eigen::Vector3d &top) const {
-    return course_.frame ? course_.frame->displacement(top) : top - Eigen::Vector3d(0, 0, rest_height_);
+    if (course_.frame) return course_.frame->displacement(top);
+    return model_.rate_ratio * (top - Eigen::Vector3d(0, 0, rest_height_));
   }
   double gap() const {
     return scene_.bearing.lateral_capacity() - displacement(system_.top_of(state_.u)).head<2>().norm();

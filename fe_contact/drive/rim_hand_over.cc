@@ -17,10 +17,11 @@ void carry_over(const BearingSystem &from, const BearingSystem &to, const System
     result.*vector = carried_over(from.equations(), to.equations(), state.*vector, none);
   result.history = state.history;
   for (const Role role : from.roles()) {
-    if (role == Role::wall) continue; // which one of them lacks
-    const std::size_t there = to.contact_of(role).value(), here = from.contact_of(role).value();
-    result.contacts[there] = state.contacts[here];
-    result.reports[there] = state.reports[here];
+    const auto there = to.contact_of(role);
+    if (!there) continue; // of the rim
+    const std::size_t here = from.contact_of(role).value();
+    result.contacts[*there] = state.contacts[here];
+    result.reports[*there] = state.reports[here];
   }
 }
 
@@ -33,8 +34,9 @@ SystemState joined_state(const BearingSystem &alone, const SystemState &state, c
   result.u = carried_over(alone.equations(), joined.equations(), state.u,
                           held.displacement.size() ? joined.equations().gather(held.displacement)
                                                    : Eigen::VectorXd::Zero(joined.equations().n));
-  const std::size_t wall = joined.contact_of(Role::wall).value();
-  result.contacts[wall] = joined.contact(wall).open(joined.expand(result));
+  for (const Role role : joined.roles())
+    if (const std::size_t own = joined.contact_of(role).value(); !alone.contact_of(role))
+      result.contacts[own] = joined.contact(own).open(joined.expand(result));
   result.energies.elastic = state.energies.elastic + held.energies.elastic;
   result.energies.plastic = state.energies.plastic + held.energies.plastic;
   result.energies.damping = state.energies.damping;
@@ -52,6 +54,7 @@ SystemState parted_state(const BearingModel &model, const BearingSystem &joined,
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(alone.equations().n);
   SolidHistory same;
   model.solid.assemble(alone.expand(result), state.history, same, alone.equations(), forces, nullptr, result.energies);
+  result.energies.elastic += alone.ties().energy(result.u);
   held.energies.elastic = state.energies.elastic - result.energies.elastic;
   held.energies.plastic = state.energies.plastic - result.energies.plastic;
   return result;

@@ -14,7 +14,7 @@ constexpr double turning_step = 1e-4; // the slider turns round in steps of this
 /// hardly accelerates has none.
 double SlidingPace::longest_at_turn(const SlidingStack &stack) const {
   constexpr double at_rest = 0.3, share = 0.95; // [m/s^2]; of that time
-  const double speed = stack.velocity().head<2>().norm(), rate = stack.active().top_of(stack.state.a).head<2>().norm();
+  const double speed = stack.velocity().head<2>().norm(), rate = stack.acceleration().head<2>().norm();
   return rate > at_rest ? std::max(turning_step, share * speed / rate) : longest_sliding_step;
 }
 

@@ -54,8 +54,8 @@ void SlidingRun::start() {
   const StartOnDish start(scene_, plan_, options_, stack_.active(), motion_.step);
   const bool window = scene_.excitation.kind == scene::ExcitationKind::window;
   std::tie(stack_.state, stack_.rest_height) = window ? start.near_the_rim() : start.at_rest();
-  stack_.rest_elastic = stack_.model().share() * stack_.state.energies.elastic;
-  stack_.rest_plastic = stack_.model().share() * stack_.state.energies.plastic; // yielded on the way out
+  stack_.rest_elastic = stack_.model().energy_share() * stack_.state.energies.elastic;
+  stack_.rest_plastic = stack_.model().energy_share() * stack_.state.energies.plastic; // yielded on the way out
   height_before_ = stack_.travel().z();
   const double kinetic = stack_.kinetic_energy();
   scale_.initial = scale_.largest = kinetic + stack_.rest_elastic + stack_.rest_plastic;
@@ -68,7 +68,7 @@ void SlidingRun::start() {
 
 Eigen::VectorXd SlidingRun::load(double t) const {
   const BearingSystem &system = stack_.active();
-  return system.dead_load(scene_.load.vertical) + system.gravity(-ground_.acceleration(t));
+  return system.dead_load(scene_.load.vertical) + system.gravity(-ground_.acceleration(t) / stack_.model().rate_ratio);
 }
 
 /// One phase: the stack sliding, at rest, or with the rim.
@@ -80,7 +80,7 @@ void SlidingRun::march_on() {
   if (resting_) // it moves with the ground, and the load's answer is exact: the long steps need no better one
     motion_.ground = nullptr;
   else
-    motion_.ground = [this](double t, double dt) { return ground_step(ground_, t, dt); };
+    motion_.ground = [this](double t, double dt) { return ground_step(ground_, t, dt) / stack_.model().rate_ratio; };
   motion_.energy_tolerance = stack_.near_rim ? impact_energy_tolerance : sliding_energy_tolerance;
   const double longest = pace_.longest(stack_, resting_);
   const MarchReport report =
@@ -113,7 +113,8 @@ std::vector<Event> SlidingRun::events(const SolvedStep &step) const {
 }
 
 Attempt SlidingRun::assess(const SolvedStep &step) {
-  const double share = stack_.model().share(), weight = -scene_.load.vertical * (stack_.travel().z() - height_before_);
+  const double share = stack_.model().energy_share(),
+               weight = -scene_.load.vertical * (stack_.travel().z() - height_before_);
   energies_ = energies_of(stack_.active(), stack_.state, step.report, share);
   energies_.external = share * fe::work(load_before_, load_after_, step.before, stack_.state) - weight;
   energies_.gravity = -weight;
@@ -203,11 +204,12 @@ void SlidingRun::report_lift() {
       end_time() - t_ < worth_it)
     return;
   reported_lift_ = true;
-  const bool damped = stack_.model().options.pad_retardation > 0;
+  const bool damped = stack_.model().options.pad_retardation > 0, has_pad = stack_.model().bearing.has_pad();
   options_.remark(fmt::format(
       "the slider leaves the dish at t = {:.3f} of {:g} s: it lands again every tenth of a second or so{}, and each "
       "landing takes about a hundred iterations; a shorter excitation.duration_s{} ends the run sooner",
-      t_, end_time(), damped ? "" : ", undamped", damped ? "" : ", or a loss of the pad (bearing.pad.loss_factor),"));
+      t_, end_time(), damped ? "" : ", undamped",
+      damped || !has_pad ? "" : ", or a loss of the pad (bearing.pad.loss_factor),"));
 }
 
 std::optional<double> SlidingRun::unmeshed_direction() {
@@ -247,7 +249,8 @@ void SlidingRun::take_over(const SlidingRun &old) {
 double SlidingRun::book_hand_over(const SlidingRun &old) {
   EnergyLedger &ledger = record_.ledger;
   const EnergyLedger before = ledger;
-  const double share = stack_.model().share(), sunk = scene_.load.vertical * (old.height_before_ - height_before_);
+  const double share = stack_.model().energy_share(),
+               sunk = scene_.load.vertical * (old.height_before_ - height_before_);
   ledger.kinetic = stack_.kinetic_energy();
   ledger.elastic = share * (stack_.state.energies.elastic + stack_.held.energies.elastic) - stack_.rest_elastic;
   ledger.plastic = share * (stack_.state.energies.plastic + stack_.held.energies.plastic) - stack_.rest_plastic;

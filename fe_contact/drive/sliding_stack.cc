@@ -15,13 +15,15 @@ SolidEnergies energies_at(const BearingModel &model, const BearingSystem &system
   if (!model.solid.assemble(displacements, history, same, system.equations(), forces, nullptr, result))
     throw SolverStopped("the state could not be carried over to the mesh with one more sector: a cell is inverted "
                         "there; try rung `rim`, which meshes any side");
+  result.elastic += system.ties().energy(system.equations().gather(displacements));
   return result;
 }
 
-/// Multipliers of pad and foot, whose slave faces are the same in both meshes; the rim's begin anew.
+/// Multipliers of pad and foot, or of a slider between two dishes, whose slave faces are the same in both meshes; the
+/// rim's begin anew.
 void carry_contacts(const SystemState &old, const BearingSystem &system, SystemState &state) {
   for (const Role role : system.roles()) {
-    if (role == Role::wall) continue;
+    if (role == Role::wall || role == Role::edge) continue;
     const std::size_t i = system.contact_of(role).value();
     if (old.contacts[i].multiplier.size() != state.contacts[i].multiplier.size())
       throw SolverStopped(
@@ -43,7 +45,7 @@ Eigen::VectorXd SlidingStack::displacements() const {
 }
 
 Eigen::Vector3d SlidingStack::travel() const {
-  return active().top_of(state.u) - Eigen::Vector3d(0, 0, rest_height);
+  return model_.rate_ratio * (active().top_of(state.u) - Eigen::Vector3d(0, 0, rest_height));
 }
 
 double SlidingStack::gap() const {
@@ -64,10 +66,13 @@ double SlidingStack::part() {
   const double kinetic = joined_.kinetic_energy(state);
   if (!all_solid()) state = parted_state(model_, joined_, state, alone_, held);
   near_rim = false;
-  return all_solid() ? 0 : model_.share() * (kinetic - alone_.kinetic_energy(state));
+  return all_solid() ? 0 : model_.energy_share() * (kinetic - alone_.kinetic_energy(state));
 }
 
 void SlidingStack::carry_over(const SlidingStack &old) {
+  if (model_.turns() && !model_.mesh.half)
+    throw SolverStopped("the state could not be carried over to the mesh with one more sector: the face of a slider "
+                        "between two dishes has other points there; try rung `rim`, which meshes any side");
   const MeshTransfer transfer(old.model_.space, model_.space);
   state = active().at_rest();
   const auto moved = [&](const Eigen::VectorXd &values) {

@@ -19,13 +19,14 @@ public:
   const BearingSystem &active() const { return rim_is_solid() ? joined_ : alone_; }
   int unknowns() const { return joined_.equations().n; } ///< with the rim
 
-  Eigen::VectorXd displacements() const;                                ///< by dof, the held rim's shape included [m]
-  Eigen::Vector3d travel() const;                                       ///< of the top face from rest on the vertex [m]
-  Eigen::Vector3d velocity() const { return active().top_of(state.v); } ///< of the top face [m/s]
-  double gap() const;                                                   ///< left of the lateral capacity [m]
-  double closing_speed() const;                                         ///< towards the rim [m/s]
+  Eigen::VectorXd displacements() const; ///< by dof, the held rim's shape included [m]
+  Eigen::Vector3d travel() const;        ///< of what is carried, from rest on the vertex [m]
+  Eigen::Vector3d velocity() const { return model_.rate_ratio * active().top_of(state.v); }     ///< of it [m/s]
+  Eigen::Vector3d acceleration() const { return model_.rate_ratio * active().top_of(state.a); } ///< of it [m/s^2]
+  double gap() const;           ///< left of the lateral capacity [m]
+  double closing_speed() const; ///< towards the rim [m/s]
   bool touching() const { return active().walls_touch(state); }
-  double kinetic_energy() const { return model_.share() * active().kinetic_energy(state); } ///< [J]
+  double kinetic_energy() const { return model_.energy_share() * active().kinetic_energy(state); } ///< [J]
 
   /// The rim's solids join, at rest in their permanent shape; where all is solid they are there already.
   void join();
@@ -44,7 +45,7 @@ public:
   SystemState state;
   HeldRim held;
   bool near_rim = false;
-  double rest_height = 0;                    ///< of the top face at rest on the vertex [m]
+  double rest_height = 0;                    ///< of the top face, or the middle, at rest on the vertex [m]
   double rest_elastic = 0, rest_plastic = 0; ///< of the bearing as the run begins [J]
 
 private:

@@ -1,6 +1,7 @@
 #include "fe_contact/drive/start_on_dish.h"
 
 #include "fe_contact/drive/cached_preload.h"
+#include "fe_contact/drive/forces.h"
 #include "fe_contact/solver/march.h"
 #include "io/files/error.h"
 #include "reduced_models/bearings/physical_model.h"
@@ -44,7 +45,7 @@ void StartOnDish::slide(SystemState &state, TopDrive &drive, double from, double
   const Eigen::Vector2d direction = scene_.excitation.direction();
   const auto go = [&](double at, double step) {
     if (is_interrupted(options_)) throw Interrupted();
-    const auto report = drive.move_to(system_, state, {(at + step) * direction, {}}, load, steps_);
+    const auto report = drive.move_to(system_, state, {(at + step) / ratio() * direction, {}}, load, steps_);
     if (options_.progress)
       options_.progress(
           {0, scene_.excitation.duration, step, report.iterations, end() - at - step, 0, Phase::sliding_out});
@@ -78,11 +79,12 @@ StartOnDish::Start StartOnDish::near_the_rim() const {
   slide(start.first, drive, end() - last, end(), 0.1 * last, 0.3 * last, load);
   // What the dish takes on the last stretch is added, so that the walls meet at the speed asked for. Under rung full
   // the plate dips, and its rim leans away by some micrometres: a graze would stop short of it.
-  const double slowing = -system_.force_of(start.first, Role::dish).head<2>().dot(direction) / scene_.load.mass;
-  const double gap = scene_.bearing.lateral_capacity() - system_.top_of(start.first.u).head<2>().norm(),
-               until_touch = system_.wall_distance(start.first, gap);
+  const BearingForces forces = forces_of(system_, start.first);
+  const double slowing = -(forces.pendular + forces.friction).head<2>().dot(direction) / scene_.load.mass;
+  const double way = ratio() * system_.top_of(start.first.u).head<2>().norm(),
+               until_touch = system_.wall_distance(start.first, scene_.bearing.lateral_capacity() - way);
   const double speed = std::sqrt(std::pow(scene_.excitation.impact_speed(), 2) + 2 * slowing * until_touch);
-  start.first.v = drive.last_change * (speed / drive.last_way.norm());
+  start.first.v = drive.last_change * (speed / ratio() / drive.last_way.norm());
   return start;
 }
 

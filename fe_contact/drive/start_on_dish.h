@@ -19,7 +19,8 @@ public:
   Start near_the_rim() const;
 
 private:
-  double end() const; ///< distance from the vertex at which a window starts [m]
+  double end() const;                                         ///< distance from the vertex at which a window starts [m]
+  double ratio() const { return system_.model().rate_ratio; } ///< of what is carried over the top face or the middle
   /// Along the window's direction, from one distance from the vertex to another [m].
   void slide(SystemState &state, TopDrive &drive, double from, double to, double first, double longest,
              const Eigen::VectorXd &load) const;

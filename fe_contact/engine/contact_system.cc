@@ -35,6 +35,7 @@ void ContactSystem::make_pattern(const Eigen::VectorXd &displacements, const std
   if (tangent_ && tangent_->symmetry() == symmetry() && pairs == pairs_) return tangent_->solver().forget();
   pairs_ = std::move(pairs);
   auto couplings = solid_.couplings(equations_);
+  for (auto &clique : ties_.couplings()) couplings.push_back(std::move(clique));
   couplings.insert(couplings.end(), pairs_.begin(), pairs_.end());
   tangent_ = std::make_unique<Tangent>(equations_.n, couplings, symmetry(), time_split);
   if (!mass_) mass_.emplace(solid_, equations_, body_masses_);
@@ -97,10 +98,13 @@ bool ContactSystem::evaluate_on_the_pattern(const Eigen::VectorXd &u, bool with_
   const double spent = forces.cwiseAbs().norm();
   if (with_tangent) tangent_->close_symmetric();
   if (!ranks().first()) forces.setZero(); // until they are summed up with the contacts'
+  if (ranks().first()) ties_.add_forces(u, forces);
+  trial_.energies.elastic += ties_.energy(u);
   pattern_holds = assemble_contacts(displacements, forces, with_tangent ? tangent_.get() : nullptr);
   trial_.R = terms_->load - forces;
   residual_ = -trial_.R;
-  if (with_tangent) take_diagonal();
+  if (with_tangent) take_diagonal(); // without the ties: they feel displacements, which have no rounding of coordinates
+  if (with_tangent && ranks().first()) ties_.add_tangent(*tangent_);
   scale_ = spent + terms_->load.norm() + rounding_ / usual_tolerance;
   if (terms_->inertia) add_inertia(u);
   if (terms_->inertia && terms_->remote) add_remote(u, with_tangent);

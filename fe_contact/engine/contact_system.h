@@ -4,6 +4,7 @@
 #include "fe_contact/engine/nonlinear_elimination.h"
 #include "fe_contact/engine/remote_load.h"
 #include "fe_contact/engine/solid.h"
+#include "fe_contact/engine/stiff_ties.h"
 #include "fe_contact/engine/surface_contact.h"
 #include "fe_contact/engine/system_mass.h"
 #include "fe_contact/solver/generalized_alpha.h"
@@ -41,6 +42,7 @@ struct Driven {
 /// displacement beyond what its velocity at the start brings.
 struct GroundStep {
   Eigen::Vector3d a_old, a_new, velocity, displacement;
+  GroundStep operator/(double by) const { return {a_old / by, a_new / by, velocity / by, displacement / by}; }
 };
 
 /// The terms of a step in time: u -> v, a.
@@ -77,9 +79,10 @@ public:
   ContactSystem(const Discretisation &space, const Solid &solid, Equations equations);
   ContactSystem(const ContactSystem &) = delete; // parts of it refer to one another
   ContactSystem &operator=(const ContactSystem &) = delete;
-  /// Contacts and bodies' masses are added before the first state is made.
+  /// Contacts, ties and bodies' masses are added before the first state is made.
   void add_contact(meshes::Surface slave, const MasterSurface &master, const SurfaceContactOptions &options);
   void add_mass(int dof, double mass); ///< of a rigid body, on its three dofs [kg]
+  void add_tie(std::vector<StiffTies::Term> terms, double stiffness) { ties_.add(std::move(terms), stiffness); }
 
   SystemState at_rest();
   /// Forgets what a state does not hold, tangents, factor and the pattern's history, and goes on from the state alone.
@@ -130,6 +133,7 @@ public:
   std::size_t n_contacts() const { return contacts_.size(); }
   int lost_points() const;                                 ///< of all contacts, last evaluation
   double multiplier() const { return border_.multiplier; } ///< of the remote displacement's constraint, last evaluation
+  const StiffTies &ties() const { return ties_; }
   double stabilisation_share() const { return stabilisation_share_; } ///< of the forces in play, last evaluation
 
 private:
@@ -147,6 +151,7 @@ private:
   const Solid &solid_;
   Equations equations_;
   std::vector<SurfaceContact> contacts_;
+  StiffTies ties_;
   std::vector<std::pair<int, double>> body_masses_;
   std::optional<SystemMass> mass_; ///< made with the first pattern, when all bodies are there
   std::unique_ptr<Tangent> tangent_;

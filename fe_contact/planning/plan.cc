@@ -117,7 +117,7 @@ void scout(Plan &plan, scene::Scene scene) {
   plan.rim_takes_part = !plan.impacts.empty() || plan.closest_gap < margin;
   for (const auto &impact : plan.impacts) plan.half = plan.half && impact.tangential_speed < 1e-9;
 
-  const bool has_stack = !unfit_stack(scene.bearing);
+  const bool has_stack = scene.bearing.has_pad() && !unfit_stack(scene.bearing);
   scene::Scene stack = scene;
   if (has_stack) add_stack_note(plan, stack);
   if (scene.excitation.kind != scene::ExcitationKind::ricker) return;

@@ -15,13 +15,13 @@ std::optional<std::string> unread_of_reduced(const scene::Scene &scene) {
                        word(r.integrator));
   if (r.normal_force == scene::NormalForce::pad && r.calibration.empty()) // a calibration's is for its reduced model
     return fmt::format("reduced.normal_force \"{}\" is the reduced model's: rung `rim` has no pad, the others a solid "
-                       "one; use `rimpact reduced`, or --set reduced.normal_force=\"{}\"",
+                       "one or none; use `rimpact reduced`, or --set reduced.normal_force=\"{}\"",
                        word(r.normal_force), word(scene::NormalForce::inertia));
   if (r.measured.by_temperature)
     return "reduced.mu_by_temperature is the reduced models': the finite-element rungs carry no heat of sliding; use "
            "`rimpact reduced`, or --set reduced.mu_by_temperature=false";
   if (!has_dish(scene.model.rung)) return std::nullopt;
-  const std::string solid = fmt::format(" is not for rung `{}`, whose pad slides on its dish by the keys of "
+  const std::string solid = fmt::format(" is not for rung `{}`, whose pad or slider slides on its dish by the keys of "
                                         "bearing.contact: ",
                                         word(scene.model.rung));
   if (r.measured.table)
@@ -36,8 +36,8 @@ std::optional<std::string> unread_of_reduced(const scene::Scene &scene) {
 
 std::optional<std::string> beyond_rungs(const scene::Scene &scene) {
   if (scene.rigid_bodies())
-    return fmt::format("reduced.model \"{}\" is a bearing of rigid bodies: the finite-element rungs know bearings "
-                       "of one dish only; use `rimpact reduced`",
+    return fmt::format("reduced.model \"{}\" is a bearing of rigid bodies: the finite-element rungs know those that "
+                       "[bearing] gives, one dish or two alike; use `rimpact reduced`",
                        word(scene.reduced.model));
   if (scene.superstructure.any())
     return fmt::format("superstructure.kind \"{}\" is not for the finite-element rungs, which carry a rigid mass; use "

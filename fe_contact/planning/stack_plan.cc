@@ -16,14 +16,19 @@ constexpr MeshCost sector[4] = {{2000, 0.05, 0.15e9}, {4800, 0.12, 0.3e9}, {2400
 /// What each further sector adds all the time, mostly the slider's own fine cells on that side.
 constexpr MeshCost further[4] = {{6900, 0.07, 0.2e9}, {14000, 0.15, 0.5e9}, {43000, 0.8, 1.5e9}, {125000, 4.0, 4.5e9}};
 
+/// Between two dishes (dcfp-155; meshes 2 and 3 by their unknowns): half the slider; a sector, which the slider is fine
+/// for on both sides.
+constexpr MeshCost slider[4] = {{6500, 0.06, 0.3e9}, {13400, 0.2, 1.2e9}, {19900, 0.4, 2.0e9}, {48900, 1.5, 6.0e9}};
+constexpr MeshCost beside[4] = {{1100, 0.04, 0.2e9}, {2700, 0.07, 0.4e9}, {5300, 0.2, 0.7e9}, {18800, 0.6, 2.0e9}};
+
 /// The whole plate, solid all the time (rung full).
 constexpr MeshCost plate[4] = {{8000, 0.25, 0.4e9}, {20000, 0.6, 0.9e9}, {90000, 3.0, 3.5e9}, {270000, 15.0, 11e9}};
 
-void add_cost(Plan &plan, double iterations, double iterations_with_rim, int sectors) {
+void add_cost(Plan &plan, const scene::Bearing &bearing, double iterations, double iterations_with_rim, int sectors) {
   constexpr double whole_over_half = 3;
   plan.expected_iterations = iterations + iterations_with_rim;
   if (plan.rung == scene::Rung::full) {
-    const MeshCost &own = stack[plan.mesh], &all = plate[plan.mesh];
+    const MeshCost &own = (bearing.has_pad() ? stack : slider)[plan.mesh], &all = plate[plan.mesh];
     plan.expected_dofs = (own.dofs + all.dofs) * (plan.half ? 1 : 2);
     plan.expected_memory_bytes = (own.memory + all.memory) * (plan.half ? 1 : 2.3);
     plan.expected_seconds = 10 + (iterations + iterations_with_rim) *
@@ -31,7 +36,9 @@ void add_cost(Plan &plan, double iterations, double iterations_with_rim, int sec
                                      (plan.half ? 1 : whole_over_half);
     return;
   }
-  const MeshCost &own = stack[plan.mesh], &rim = sector[plan.mesh], &side = further[plan.mesh];
+  const MeshCost &own = (bearing.has_pad() ? stack : slider)[plan.mesh],
+                 &rim = (bearing.has_pad() ? sector : beside)[plan.mesh],
+                 &side = (bearing.has_pad() ? further : beside)[plan.mesh];
   const int more = std::max(0, sectors - 1);
   plan.expected_dofs = (own.dofs + (sectors > 0) * rim.dofs + more * side.dofs) * (plan.half ? 1 : 2);
   plan.expected_memory_bytes = (own.memory + (sectors > 0) * rim.memory + more * side.memory) * (plan.half ? 1 : 2.3);
@@ -70,7 +77,7 @@ Plan stack_path_plan(const scene::Scene &scene) {
   if (push) plan.sectors = {std::atan2(e.direction().y(), e.direction().x())};
   plan.expected_steps = push ? steps_a_push : std::lround(steps_a_cycle * (to_and_fro ? e.rounds() : 1.0));
   const double iterations = plan.expected_steps * iterations_a_step;
-  add_cost(plan, push ? 0 : iterations, push ? iterations : 0, 1);
+  add_cost(plan, scene.bearing, push ? 0 : iterations, push ? iterations : 0, 1);
   add_pad_note(plan, scene);
   if (plan.rim_takes_part && !push)
     plan.notes.push_back(fmt::format("the path reaches the rim ({:.1f} mm past L_c), which this rung does not mesh in "
@@ -109,7 +116,8 @@ Plan stack_motion_plan(const scene::Scene &scene) {
   for (const auto &impact : plan.impacts)
     iterations += std::max(1.0, 1e-3 / plan.step_in_contact) *
                   (90 + 0.8 * iterations_of_impact(depth_of_impact(scene, impact.approach_speed)));
-  add_cost(plan, flight * iterations_in_flight, iterations, std::min<int>(plan.sectors.size(), 4)); // more overlap
+  add_cost(plan, scene.bearing, flight * iterations_in_flight, iterations,
+           std::min<int>(plan.sectors.size(), 4)); // more overlap
   add_pad_note(plan, scene);
   return plan;
 }

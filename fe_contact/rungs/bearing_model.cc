@@ -1,5 +1,6 @@
 #include "fe_contact/rungs/bearing_model.h"
 
+#include "fe_contact/rungs/middle_plane.h"
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -11,7 +12,7 @@ using meshes::Surface;
 
 Supports supports_of(const BearingModel &model, RimState rim) {
   Supports supports(model.space);
-  for (int i = 0; i < 3; ++i)
+  for (int i = 0; i < 3 && !model.turns(); ++i)
     if (model.mesh.half && i == 1)
       supports.fix(Surface::top, i);
     else
@@ -27,7 +28,7 @@ BearingModel::BearingModel(const Rung &rung, const scene::Bearing &bearing, cons
                            const ModelOptions &options)
     : rung(rung), bearing(bearing), mesh(mesh), options(options), space(rung.mesh(bearing, mesh), options.degree),
       solid(space, bearing, options.pad_retardation), foot(space, solid, bearing, mesh.half),
-      rate_ratio(RimFrame::of(bearing, 0, 0, false).rate_ratio()) {}
+      rate_ratio(turns() ? bearing.dishes() : RimFrame::of(bearing, 0, 0, false).rate_ratio()) {}
 
 double BearingModel::own_mass() const {
   double mass = 0;
@@ -48,10 +49,11 @@ BearingSystem::BearingSystem(const BearingModel &model, double mass, RimState ri
     : ContactSystem(model.space, model.solid, supports.number()), model_(model), mass_(mass) {
   const Discretisation &space = model.space;
   const auto &of = equations().of_dof;
-  const unsigned any = space.nodes_of(Surface::top).front();
-  for (int i = 0; i < 3; ++i) top_.equation[i] = of[3 * any + i];
+  const unsigned at = model.turns() ? middle_node(space) : space.nodes_of(Surface::top).front();
+  for (int i = 0; i < 3; ++i) top_.equation[i] = of[3 * at + i];
+  if (model.turns()) tie_middle_plane(*this, model);
   const double on_top = mass * std::pow(model.rate_ratio, 2) / model.bearing.dishes(); // m u'^2 / 2 = 2 on_top w'^2 / 2
-  if (mass > 0) add_mass(3 * any, (on_top - model.own_mass()) / model.share());
+  if (mass > 0) add_mass(3 * at, (on_top - model.own_mass()) / model.share());
   for (const Pair &pair : model.rung.pairs(model, rim)) {
     add_contact(pair.slave, pair.master, pair.options);
     roles_.push_back(pair.role);
@@ -107,7 +109,7 @@ bool BearingSystem::walls_touch(const SystemState &state) const {
 
 double BearingSystem::wall_distance(const SystemState &state, double otherwise) const {
   const auto *wall = report_of(state, Role::wall);
-  return wall && std::isfinite(wall->smallest_gap) ? wall->smallest_gap : otherwise;
+  return wall && std::isfinite(wall->smallest_gap) ? model_.rate_ratio * wall->smallest_gap : otherwise;
 }
 
 void BearingSystem::translate(Eigen::VectorXd &u, const Eigen::Vector3d &way) const {

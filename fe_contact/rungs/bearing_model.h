@@ -1,5 +1,5 @@
 /// The solids of a rung on their mesh, and their equations: the top face is a remote displacement without rotation that
-/// carries the supported mass.
+/// carries the supported mass. Of a slider that slides between two dishes it is the middle, about which it turns.
 #pragma once
 #include "fe_contact/engine/contact_steps.h"
 #include "fe_contact/rungs/rim_foot.h"
@@ -23,6 +23,8 @@ struct BearingModel {
 
   double share() const { return mesh.half ? 2.0 : 1.0; }             ///< whole bearing over model, of forces
   double energy_share() const { return share() * bearing.dishes(); } ///< and of energies: two dishes stand in series
+  /// A slider between two dishes that slides on them, and turns as it goes: u = 2 q, q the way of its middle.
+  bool turns() const { return bearing.double_concave() && rung.dish != DishKind::law; }
   double own_mass() const; ///< of the carried bodies, of one dish's side of the bearing [kg]
 
   const Rung &rung;
@@ -32,7 +34,7 @@ struct BearingModel {
   const Discretisation space;
   const Solid solid;
   const RimFoot foot;
-  const double rate_ratio; ///< velocity of what is carried over that of the top face
+  const double rate_ratio; ///< velocity of what is carried over that of the top face, or of the slider's middle
 };
 
 /// Frictional contact with penalties `stiffer` times the stiffness of the softer side's cells: its E [Pa] over their
@@ -59,7 +61,8 @@ public:
   Eigen::Vector3d force_of(const SystemState &state, Role role) const;
   Eigen::Vector3d friction_of(const SystemState &state, Role role) const;
   bool walls_touch(const SystemState &state) const;
-  /// Of the walls as the last step left them; `otherwise` where they are no pair, or nothing is opposite [m].
+  /// Way of what is carried until the walls meet, as the last step left them: between two dishes of both rims together;
+  /// `otherwise` where they are no pair, or nothing is opposite [m].
   double wall_distance(const SystemState &state, double otherwise) const;
 
   /// Moves the carried bodies, at rest in themselves, to a displacement of the top face, with a velocity and an

@@ -1,5 +1,6 @@
 /// Rung rigid-dish: pad (tied to the foot, or seated in its recess), foot and upper slider on the exact dish, and the
-/// rim's sectors where a scene needs them. Frame and reference position: at rest on the vertex (see stack_mesh).
+/// rim's sectors where a scene needs them; of two dishes one, with half the slider (see middle_plane.h). Frame and
+/// reference position: at rest on the vertex (see stack_mesh).
 #pragma once
 #include "fe_contact/rungs/rung.h"
 #include "meshes/hex_mesh.h"

@@ -14,24 +14,11 @@ void hold_sector(Supports &supports, RimState) {
   supports.slide_on(Surface::sector_end);
 }
 
-/// The edge of a slider between two dishes lies on its dish: squeezed, it cannot give way downwards.
-Pair edge_on_dish(const BearingModel &model, SurfaceContactOptions options) {
-  const scene::ContactFriction &mu = model.bearing.contact;
-  options.law.friction =
-      FrictionCoefficient{mu.steel_ertalyte, mu.steel_ertalyte_slow.value_or(mu.steel_ertalyte), mu.rate, {}};
-  options.carrier_faces = Surface::dish;
-  return {Role::dish, Surface::slider_side,
-          dish(scene::make_surface(model.bearing.surface), model.bearing.surface.planar_radius), options};
-}
-
 std::vector<Pair> wall_alone(const BearingModel &model, RimState) {
-  // An edge bites on cells of its rounding's size; ten times as stiff, contact gives back a third of the energy that it
-  // gave back before, in three fifths of the iterations (window of 0.1 m/s on dcfp-155).
-  const bool edge = model.bearing.double_concave();
-  Pair wall = wall_pair(model, edge ? 0.0025 : 0.006, edge ? 16 : 4);
-  wall.options.margin = 0.003; // the slider comes and goes radially and moves little along the wall [m]
-  if (!model.bearing.double_concave()) return {wall};
-  return {wall, edge_on_dish(model, wall.options)};
+  std::vector<Pair> pairs = wall_pairs(model, 0.006, 4);
+  // The slider comes and goes radially and moves little along the wall.
+  for (Pair &pair : pairs) pair.options.margin = 0.003; // [m]
+  return pairs;
 }
 
 StepOptions rim_steps() {
@@ -59,6 +46,8 @@ const Rung rungs::rim{
     .steps = rim_steps(),
 };
 
+namespace {
+
 Pair wall_pair(const BearingModel &model, double cell, double stiffer) {
   const scene::Bearing &bearing = model.bearing;
   const scene::ContactFriction &mu = bearing.contact;
@@ -69,6 +58,28 @@ Pair wall_pair(const BearingModel &model, double cell, double stiffer) {
   const double radius = bearing.wall_radius();
   return {Role::wall, Surface::slider_side,
           cylinder(Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ(), radius, Side::inside), options};
+}
+
+/// The edge of a slider between two dishes lies on its dish: squeezed, it cannot give way downwards.
+Pair edge_on_dish(const BearingModel &model, SurfaceContactOptions options) {
+  const scene::ContactFriction &mu = model.bearing.contact;
+  options.law.friction =
+      FrictionCoefficient{mu.steel_ertalyte, mu.steel_ertalyte_slow.value_or(mu.steel_ertalyte), mu.rate, {}};
+  options.law.friction.reference_pressure = mu.reference_pressure;
+  if (model.turns() && !model.options.friction) options.law.friction = {}; // as the face beside it
+  options.carrier_faces = Surface::dish;
+  return {Role::edge, Surface::slider_side,
+          dish(scene::make_surface(model.bearing.surface), model.bearing.surface.planar_radius), options};
+}
+
+} // namespace
+
+std::vector<Pair> wall_pairs(const BearingModel &model, double cell, double stiffer) {
+  if (!model.bearing.double_concave()) return {wall_pair(model, cell, stiffer)};
+  // An edge bites on cells of its rounding's size; ten times as stiff, contact gives back a third of the energy that it
+  // gave back before, in three fifths of the iterations (window of 0.1 m/s on dcfp-155).
+  const Pair wall = wall_pair(model, 0.0025, 16);
+  return {wall, edge_on_dish(model, wall.options)};
 }
 
 } // namespace rimpact::fe

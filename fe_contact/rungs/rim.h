@@ -10,7 +10,8 @@ namespace rungs {
 extern const Rung rim;
 }
 
-/// Slider against rim, `stiffer` times as stiff as the cells of `cell` at level 1 [m] are.
-Pair wall_pair(const BearingModel &model, double cell, double stiffer);
+/// Slider against rim, `stiffer` times as stiff as the cells of `cell` at level 1 [m] are. Of a slider between two
+/// dishes its edge: against the rim as stiff as cells of its rounding, and on the dish beside it.
+std::vector<Pair> wall_pairs(const BearingModel &model, double cell, double stiffer);
 
 } // namespace rimpact::fe

@@ -19,6 +19,7 @@ enum class Role {
   socket, ///< the foot's cap in the slider's socket
   seat,   ///< the pad's back on the bottom of the foot's recess
   recess, ///< the pad's edge within the recess's wall
+  edge,   ///< the edge of a slider between two dishes on its dish, beside the wall
   wall    ///< the slider against the rim
 };
 

@@ -31,7 +31,7 @@ class RefusedScenes(Refusals):
         self.check("excitation.amplitud_g=0.7", "did you mean", "amplitude_g")
 
     def test_models_without_a_rung(self):
-        self.refused(2, "of one dish only", "rimpact reduced", arguments=["check", "lir-dcfp-stages"])
+        self.refused(2, "one dish or two alike", "rimpact reduced", arguments=["check", "lir-dcfp-stages"])
         self.refused(2, "superstructure.kind", "rigid mass", arguments=["check", "frame-four-dof"])
 
     def test_wrong_type(self):

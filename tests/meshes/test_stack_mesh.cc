@@ -1,6 +1,7 @@
 // The stack's mesh: volumes, tied and touching parts, nodes on the exact sphere of cap and socket.
 #include "meshes/stack_mesh.h"
 
+#include "scene/bearing_catalogue.h"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <map>
@@ -156,6 +157,30 @@ TEST(StackMesh, TheWholePlateCarriesTheExactDishFromItsMiddleToItsEdge) {
     EXPECT_NEAR(to_minus_x, both ? -0.52 : 0.0, 1e-6);
     EXPECT_LT(q.n_nodes, both ? 22000u : 15000u);
   }
+}
+
+/// Rung rigid-dish between two dishes: half the slider, whose middle plane has its image in x = 0, and its face whole.
+TEST(StackMesh, ASliderBetweenTwoDishesIsItsOwnImage) {
+  const scene::Bearing bearing = scene::builtin_bearing("dcfp-155");
+  for (const std::vector<double> &directions : {std::vector<double>{0}, {0, M_PI}, {0, 1.2}})
+    for (const int level : {0, 1}) {
+      const bool half = directions.size() < 2 || directions[1] == M_PI;
+      const HexMesh mesh = stack_mesh(bearing, {.level = level, .half = half, .rim = true, .directions = directions});
+      EXPECT_GT(quality(mesh).min_scaled_jacobian, 0.05);
+      std::set<std::array<long, 2>> places;
+      double reach = 0;
+      for (const auto &face : mesh.faces)
+        for (const unsigned node : face.corners) {
+          const auto &x = mesh.nodes[node];
+          if (face.group == Surface::top) places.insert({std::lround(x[0] * 1e8), std::lround(x[1] * 1e8)});
+          if (face.group != Surface::pad_face) continue;
+          reach = std::max(reach, std::hypot(x[0], x[1]));
+          EXPECT_NEAR(std::hypot(x[0], x[1], x[2] - bearing.surface.R0), bearing.surface.R0, 1e-12);
+        }
+      const double R = bearing.surface.R0, edge = bearing.slider.edge_radius;
+      EXPECT_NEAR(reach, (bearing.slider.diameter / 2 - edge) * R / (R - edge), 1e-9) << "where the rounding begins";
+      for (const auto &[x, y] : places) EXPECT_TRUE(places.count({-x, half ? y : -y})) << x << ' ' << y;
+    }
 }
 
 } // namespace

@@ -34,7 +34,25 @@ def with_plate(grid):
                 {name: np.concatenate([values, zeros[name]]) for name, values in grid.point_data.items()}, {})
 
 
+def between_dishes(travel):
+    """Half a slider between two dishes, wider than any pad and curved, whose half of the face moves sideways by a little."""
+    def place(a, b, c):
+        x, y, z = synthetic_mesh._polar(0.01 + 0.29 * a, np.pi * b, 0.05 * c)
+        return [x, y, z + (x**2 + y**2) / 3.1]
+    xyz, corner = synthetic_mesh.block((4, 8, 2), place)
+    points = xyz[corner].reshape(-1, 3)
+    moved = np.tile([travel, 1e-4, 0.0], (len(points), 1))
+    return Grid(points, np.arange(len(points)).reshape(-1, 8),
+                {"displacement": moved, "contact_pressure_MPa": np.full(len(points), 12.0), "von_mises_MPa": np.full(len(points), 100.0),
+                 "part": np.full(len(points), 5.0)}, {})
+
+
 class StackPicture(InFolder):
+    def test_a_slider_between_two_dishes_is_drawn_whole(self):
+        stack = stack_picture.Stack(between_dishes(0.3))
+        self.assertEqual(len(stack.pad()[0]), 2 * 4 * 8)
+        self.assertEqual(len(stack.cut()[0]), 2 * 4 * 2)
+
     def test_the_plates_base_is_no_pad(self):
         self.assertEqual(len(stack_picture.Stack(with_plate(bearing(0.3))).pad()[0]), 2 * 3 * 8)
 

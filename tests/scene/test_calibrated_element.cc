@@ -111,6 +111,11 @@ TEST(CalibratedElement, BringsPadAndSocket) {
   EXPECT_FALSE(odd.reduced.finite_pad);
   ASSERT_FALSE(odd.remarks.empty());
   EXPECT_NE(odd.remarks.back().find("socket's friction are left out"), std::string::npos) << odd.remarks.back();
+  const Scene between = load_scene("ricker-0.78g-1.0s", {folder.cal(), "bearing.name=dcfp-155"});
+  EXPECT_FALSE(between.reduced.finite_pad || between.reduced.socket_friction);
+  EXPECT_TRUE(std::any_of(between.remarks.begin(), between.remarks.end(), [](const std::string &remark) {
+    return remark.find("left out: a slider between two dishes has neither") != std::string::npos;
+  }));
 }
 
 TEST(CalibratedElement, AResolvedSceneNeedsTheFolderNoMore) {

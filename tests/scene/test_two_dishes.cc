@@ -131,8 +131,9 @@ TEST(TwoDishes, WhatCannotBeBuiltIsRefusedWithBothNumbers) {
   names(refusal_of({"bearing.slider.edge_radius_mm=150"}), {"slider.edge_radius_mm 150 mm"});
   names(refusal_of({"bearing.rim.height_mm=1.5"}), {"rim.height_mm 1.5 mm"});
   names(refusal_of({"bearing.surface.kind=cone"}), {"surface.concave \"double\"", "\"sphere\"", "\"cone\""});
-  names(refusal_of({"model.rung=rigid-dish"}), {"neither pad nor foot", "rung `rim`"});
-  names(refusal_of({"reduced.finite_pad=true"}), {"neither pad nor foot"});
+  for (const std::string key : {"finite_pad", "socket_friction"})
+    names(refusal_of({"reduced." + key + "=true"}), {("reduced." + key).c_str(), "neither pad nor socket"});
+  EXPECT_EQ(refusal_of({"model.rung=rigid-dish"}), "");
   EXPECT_EQ(refusal_of({}), "");
 }
 

@@ -1,13 +1,15 @@
 #!/usr/bin/env python3
 """VERIFICATION 11: quasi-static loops of rung rigid-dish against the closed form (the quasi-static reduced model), with its
-two extra terms (finite pad, socket friction) and, with the socket frictionless and the pad point-like, without them.
+two extra terms (finite pad, socket friction) and, with the socket frictionless and the pad point-like, without them; and
+of a slider between two dishes, F = W tan(theta +- atan mu_e), sin theta = u / (2 R - H_s), mu_e = 2 R mu / (2 R - H_s).
 
-The loop at 0.39 m is read at 0.10, 0.31 and 0.39 m going out, and at 0.10 and 0.31 m coming back: just after the
+A loop to 0.39 m is read at 0.10, 0.31 and 0.39 m going out, and at 0.10 and 0.31 m coming back: just after the
 reversal the socket's friction has not turned yet (the pad's rocking must give some 20 mm of travel first), which the
 closed form leaves out. Errors of force are over the force on the way out at the same place. Runs kept in FOLDER are not
 repeated. Prints the table, writes it to FOLDER/baseline.txt, fails when a gate is missed."""
 import csv
 import pathlib
+import re
 import sys
 
 from kept_run import finish, kept_run
@@ -15,15 +17,17 @@ from kept_run import finish, kept_run
 POINT = ["bearing.pad.inner_radius_mm=2", "bearing.pad.outer_radius_mm=10", "bearing.material.ertalyte.E_MPa=2e7",
          "bearing.material.steel.yield_MPa=100000", "bearing.contact.steel_steel=0"]
 TERMS = ["reduced.finite_pad=true", "reduced.socket_friction=true"]
-CASES = {  # name: (settings of both, settings of the closed form, gate on forces, gate on lift)
-    "both terms": ([], TERMS, 0.005, 0.01),
-    "frictionless socket": (["bearing.contact.steel_steel=0"], TERMS[:1], 0.005, 0.01),
-    "point-like pad, frictionless socket": (POINT, [], 0.005, 0.005),
+WAYS = (0.10, 0.31, 0.39)  # where a loop is read; the last one is its end [m]
+CASES = {  # name: (settings of both, settings of the closed form, gate on forces, gate on lift, ways)
+    "both terms": ([], TERMS, 0.005, 0.01, WAYS),
+    "frictionless socket": (["bearing.contact.steel_steel=0"], TERMS[:1], 0.005, 0.01, WAYS),
+    "point-like pad, frictionless socket": (POINT, [], 0.005, 0.005, WAYS),
+    "slider between two dishes (dcfp-155)": (["bearing.name=dcfp-155"], [], 0.005, 0.005, (0.08, 0.20, 0.25)),
 }
 
 
-def loop(program, verb, folder, settings):
-    summary = kept_run(program, verb, "static-unidirectional", folder, ["excitation.amplitude_m=0.39", *settings])
+def loop(program, verb, folder, end, settings):
+    summary = kept_run(program, verb, "static-unidirectional", folder, [f"excitation.amplitude_m={end}", *settings])
     with open(folder / "response.csv") as file:
         rows = [[float(row[key]) for key in ("ux_m", "Fx_N", "uz_m")] for row in csv.DictReader(file)]
     return rows, summary
@@ -48,13 +52,13 @@ def at(rows, travel, column):
 def main(program, folder):
     folder = pathlib.Path(folder)
     lines, failures = [f"{'case':38s} {'way':4s} travel_m   FE_kN closed_kN error_%  lift_mm closed_mm error_%"], []
-    for name, (settings, terms, force_gate, lift_gate) in CASES.items():
-        slug = name.replace(" ", "_").replace(",", "")
-        fe, summary = loop(program, "run", folder / slug, settings)
-        closed, _ = loop(program, "reduced", folder / (slug + "_closed"), settings + terms)
+    for name, (settings, terms, force_gate, lift_gate, ways) in CASES.items():
+        slug = re.sub("[^a-z0-9]+", "_", name)
+        fe, summary = loop(program, "run", folder / slug, ways[-1], settings)
+        closed, _ = loop(program, "reduced", folder / (slug + "_closed"), ways[-1], settings + terms)
         for back in (False, True):
-            for travel in (0.10, 0.31, 0.39):
-                if back and travel == 0.39:
+            for travel in ways:
+                if back and travel == ways[-1]:
                     continue
                 f, c = (at(branch(rows, back), travel, 1) for rows in (fe, closed))
                 z, cz = (at(branch(rows, back), travel, 2) for rows in (fe, closed))

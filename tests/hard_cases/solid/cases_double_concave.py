@@ -27,7 +27,7 @@ def cases(program, folder):
         ("0.6 m/s", True, window(0.6), 0, impacts(1)),
         # its rims of 20 mm are folded over
         ("1.0 m/s", False, window(1.0), 0, impacts(1)),
-        ("1.5 m/s", False, window(1.5), 0, impacts(1)),
+        ("1.5 m/s, rims 60 mm thick", False, window(1.5, "bearing.rim.thickness_mm=60"), 0, impacts(1)),
         ("oblique, 31 degrees", True, free((0.29, 0), (0.4, 0.24), 0.3), 0, impacts(1)),
         ("repeated on the yielded rims, mu 0", True, free((0.29, 0), (0.4, 0), 6, *friction(0)), 0, impacts(2)),
         ("mu 0, weight", True, window(0.2, WEIGHT, *friction(0)), 0, impacts(1)),

@@ -15,14 +15,16 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "verificati
 from kept_run import command, is_kept  # noqa: E402
 
 IMBALANCE = 1e-3
-CASES = {"rim": "cases_rim", "rim-rate": "cases_rim_rate", "double-concave": "cases_double_concave", "rigid-dish": "cases_stack", "full": "cases_stack",
+CASES = {"rim": "cases_rim", "rim-rate": "cases_rim_rate", "double-concave": "cases_double_concave",
+         "double-concave-dish": "cases_double_concave_dish", "rigid-dish": "cases_stack", "full": "cases_stack",
          "rigid-dish-rate": "cases_stack_rate", "full-rate": "cases_stack_rate"}
 LONGEST = 1800  # [s]
 
 
 class Table:
     def __init__(self, rung, mesh, program, folder):
-        self.options = ["--no-fields", "--rung", "rim" if rung == "double-concave" else rung.removesuffix("-rate"), "--mesh", str(mesh)]
+        rungs = {"double-concave": "rim", "double-concave-dish": "rigid-dish"}
+        self.options = ["--no-fields", "--rung", rungs.get(rung, rung.removesuffix("-rate")), "--mesh", str(mesh)]
         self.program, self.folder, self.summaries = program, folder, {}
 
     def run(self, name, scene, settings):

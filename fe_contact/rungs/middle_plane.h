@@ -1,0 +1,15 @@
+/// The middle plane of a slider between two like dishes, one half of which is solved. Inversion in its middle maps the
+/// bearing on itself: what is below moves to one side as what is above does to the other. So the plane's points p move
+/// about the middle oddly, u(-p) - u(0) = -(u(p) - u(0)), while the slider turns and bends as it likes.
+#pragma once
+#include "fe_contact/engine/contact_system.h"
+#include "fe_contact/rungs/bearing_model.h"
+
+namespace rimpact::fe {
+
+/// The node of the model's group `top` on the slider's axis. Throws std::logic_error where it has none.
+unsigned middle_node(const Discretisation &space);
+/// Ties the nodes of the group `top` in pairs; on a half model (y >= 0) with their images in its plane.
+void tie_middle_plane(ContactSystem &system, const BearingModel &model);
+
+} // namespace rimpact::fe
