@@ -65,8 +65,9 @@ public:
     std::swap(at_[0], at_[2]);
     law_.arrive(mode_, stage_.t, at_[0].of_law());
     if (!law_.heats()) return;
-    const bool covered = friction::passes_over(at_[0].u.head<2>().norm(), law_.contact_radius);
-    const double flux = covered ? std::max(0.0, at_[0].face_power) / law_.friction_law.area : 0.0;
+    const friction::FrictionLaw &law = law_.friction_law;
+    const bool covered = friction::passes_over(law.face_share * at_[0].u.head<2>().norm(), law_.contact_radius);
+    const double flux = covered ? std::max(0.0, at_[0].face_power) / (law.faces * law.area) : 0.0;
     heat_ = law_.heat.after(heat_, flux, stage_.t - heated_until_);
     heated_until_ = stage_.t, temperature_ = law_.heat.temperature(heat_.data());
   }

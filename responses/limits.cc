@@ -17,9 +17,9 @@ void warn(Summary &summary, const std::string &sentence) {
 }
 
 /// Deepest the slider went into or past the rim, or each of two [m]; impacts that a model leaves out count by their
-/// travel.
+/// travel, of which a slider of two halves may have slipped a part.
 double deepest(const scene::Scene &scene, const Summary &summary) {
-  double depth = summary.peak_displacement - scene.bearing.lateral_capacity();
+  double depth = scene.bearing.has_interface() ? 0 : summary.peak_displacement - scene.bearing.lateral_capacity();
   for (const auto &impact : summary.impacts) depth = std::max(depth, impact.peak_penetration);
   return depth / scene.bearing.dishes();
 }

@@ -27,8 +27,10 @@ void add_bearing_signals(List &list) {
   add_vector(list, "moment_above", "N m", "moment of the bearing on the node above");
   add_vector(list, "ground_acceleration", "m/s^2", "of the ground");
   add_vector(list, "acceleration", "m/s^2", "absolute, of the mass (of the top plate of a bearing of rigid bodies)");
-  list.push_back(
-      {"gap", "m", "L_c - |u|, negative while the rim is pressed; of a triple pendulum L_c is where the last rim is"});
+  list.push_back({"gap", "m",
+                  "L_c - |u|, u less what the slider's halves have slipped; negative while the rim is pressed; of a "
+                  "triple pendulum "
+                  "L_c is where the last rim is"});
   list.push_back({"normal_force", "N", "normal force of the sliding surface, never negative"});
   list.push_back({"temperature", "degC", "of the sliding steel at the dish's vertex (the bottom dish's of two)"});
   list.push_back({"temperature_top", "degC", "of the sliding steel at the top dish's vertex"});

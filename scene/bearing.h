@@ -25,6 +25,10 @@ struct UpperSlider {
   double top = 0.15825;    ///< top plane above the vertex at rest [m], assumption
   double height = 0.100;   ///< between two dishes: H_s on its axis, from face to face [m]; bottom and top are not read
   double edge_radius = 0.002; ///< rounding of the lower edge, between two dishes of both [m], >= 0, assumption
+  /// mu_s of the plane across the middle of a slider between two dishes, on which its halves slide (LIR-DCFP; thesis
+  /// section 3.2), constant in speed [-]; empty: it is one piece.
+  std::optional<double> mu_interface;
+  double interface_gap = 0.030; ///< slip of the halves at which they meet their stop [m], > 0, assumption
   bool operator==(const UpperSlider &) const = default;
 };
 struct Rim {
@@ -108,6 +112,8 @@ struct Bearing {
   }
   const Material &rim_steel() const { return steel_of(SteelPart::rim); } ///< what the law of the rim is made of
   bool double_concave() const { return surface.concave == Concave::twice; }
+  /// The slider between two dishes is two halves that slide on one another.
+  bool has_interface() const { return double_concave() && slider.mu_interface.has_value(); }
   /// Below the slider, between foot and dish; a slider between two dishes has neither pad nor socket.
   bool has_pad() const { return !double_concave(); }
   /// Dishes in series, each moved through by its share of the travel: 1 or 2.

@@ -74,6 +74,14 @@ Bearing dcfp_155() {
   return b;
 }
 
+/// dcfp-155 whose slider is two halves that slide on one another, with the friction of section 3.4.
+Bearing lir_dcfp_155() {
+  Bearing b = dcfp_155();
+  b.name = "lir-dcfp-155";
+  b.slider.mu_interface = 0.15;
+  return b;
+}
+
 struct Entry {
   const char *name;
   Bearing (*make)();
@@ -82,7 +90,7 @@ struct Entry {
 constexpr std::array catalogue{
     Entry{"shfps-225", shfps_225}, Entry{"shfps-225-b", shfps_225_b},
     Entry{"fps-225", fps_225},     Entry{"shfps-appendix-a", shfps_appendix_a},
-    Entry{"dcfp-155", dcfp_155},
+    Entry{"dcfp-155", dcfp_155},   Entry{"lir-dcfp-155", lir_dcfp_155},
 };
 
 } // namespace

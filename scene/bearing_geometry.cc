@@ -51,6 +51,9 @@ void check_two_dishes(const Bearing &b) {
       "slider.height_mm {} mm must exceed {:.5g} mm: its two faces rise by {:.4g} mm each, and its edges are rounded "
       "by {} mm",
       mm(s.height), 2e3 * (face + s.edge_radius), 1e3 * face, mm(s.edge_radius));
+  require(s.interface_gap < radius || !s.mu_interface,
+          "slider.interface_gap_mm {} mm must be below the slider's radius {} mm: its halves would leave one another",
+          mm(s.interface_gap), mm(radius));
   require(s.height < 2 * R, "slider.height_mm {} mm must be below 2 R = {} mm: R_eff = 2 R - H_s", mm(s.height),
           mm(2 * R));
 }

@@ -225,6 +225,12 @@ void visit(KeyVisitor &v, Bearing &b) {
     visit_height(v, b);
     v.number({"edge_radius_mm", "rounding of the edge that meets the rim", assumption}, b.slider.edge_radius, milli,
              size_mm);
+    if (v.wants(b.has_interface())) {
+      v.limit({"mu_interface", "between the halves of a slider between two dishes (LIR-DCFP); inf: one piece"},
+              b.slider.mu_interface, si, coefficient);
+      v.number({"interface_gap_mm", "slip of the halves at which they meet their stop", assumption},
+               b.slider.interface_gap, milli, length_mm);
+    }
   });
   v.section("rim", [&] {
     v.number({"height_mm", "above the dish's edge", assumption}, b.rim.height, milli, length_mm);

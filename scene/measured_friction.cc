@@ -58,6 +58,7 @@ friction::FrictionLaw sliding_law(const Scene &scene) {
 friction::FrictionLaw sliding_law(const Scene &scene, double slow, double fast) {
   const MeasuredFriction &m = scene.reduced.measured;
   const double radius = contact_radius(scene);
+  const int faces = scene.rigid_bodies() ? 1 : scene.bearing.dishes(); // rigid bodies have each by itself
   friction::FrictionLaw law{.mu_slow = slow,
                             .mu_fast = fast,
                             .rate = slow == fast ? 0.0 : scene.reduced.rate,
@@ -65,7 +66,9 @@ friction::FrictionLaw sliding_law(const Scene &scene, double slow, double fast) 
                             .reference_pressure = m.reference_pressure,
                             .by_temperature = m.by_temperature,
                             .table = m.table,
-                            .area = std::numbers::pi * radius * radius};
+                            .area = std::numbers::pi * radius * radius,
+                            .face_share = arm_of_faces(scene) / faces,
+                            .faces = faces};
   law.validate();
   return law;
 }

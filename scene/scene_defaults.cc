@@ -94,6 +94,14 @@ void remark_on_pad(Scene &scene) {
                                         eta, word(NormalForce::pad)));
 }
 
+void remark_on_interface(Scene &scene) {
+  if (scene.rigid_bodies() || !scene.bearing.has_interface()) return;
+  scene.remarks.push_back(fmt::format(
+      "bearing.slider.mu_interface {:g} is read by rungs `rigid-dish` and `full`: to the reduced model and the scout "
+      "the slider is one piece; reduced.model \"{}\" takes an interface from [isolator]",
+      *scene.bearing.slider.mu_interface, word(ModelKind::lir_dcfp)));
+}
+
 } // namespace
 
 void set_dependent_defaults(const TomlFile &file, const std::string &prefix, Bearing &bearing) {
@@ -131,6 +139,7 @@ void set_dependent_defaults(const TomlFile &file, bool own_bearing, Scene &scene
   resolve_load(file, own_bearing, scene);
   remark_on_necking(scene);
   remark_on_pad(scene);
+  remark_on_interface(scene);
   remark_on_isolator(file, scene);
   if (!given("excitation.kind"))
     scene.remarks.push_back(

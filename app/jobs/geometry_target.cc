@@ -50,6 +50,7 @@ GivenCase geometry_target(const std::string &where, Console &console) {
   GivenCase given = given_case(where, console.overrides);
   refuse_unread(console.overrides, "geometry", not_of_geometry);
   require_rigid_mass_on_one_dish(given.scene, "geometry");
+  require_slider_of_one_piece(given.scene, "geometry");
   take_rung(given, console.overrides);
   for (const auto &doubt : scene::doubts(given.scene)) given.warnings.push_back(doubt);
   for (const auto &warning : given.warnings) console.warn(warning);

@@ -38,6 +38,14 @@ void require_rigid_mass_on_one_dish(const scene::Scene &scene, const std::string
                                  word(scene.superstructure.kind), verb));
 }
 
+void require_slider_of_one_piece(const scene::Scene &scene, const std::string &verb) {
+  if (!scene.bearing.has_interface()) return;
+  throw InputError(
+      fmt::format("bearing.slider.mu_interface {:g}: {} finds the law of a rim, which is that of a slider of "
+                  "one piece; `rimpact run` runs this bearing by rungs `rigid-dish` and `full`",
+                  *scene.bearing.slider.mu_interface, verb));
+}
+
 void take_rung(GivenCase &given, const std::vector<std::string> &overrides) {
   const auto keys = keys_set(overrides);
   const bool asked = std::find(keys.begin(), keys.end(), "model.rung") != keys.end();
@@ -48,6 +56,7 @@ MainTarget main_target(const std::string &where, const std::vector<std::string> 
   MainTarget target{given_case(where, overrides), {}};
   refuse_unread(overrides, "main", not_of_main);
   require_rigid_mass_on_one_dish(target.scene, "main");
+  require_slider_of_one_piece(target.scene, "main");
   take_rung(target, overrides);
   if (const auto reason = planning::beyond_rungs(target.scene)) throw InputError(*reason);
   if (!target.built_in && target.has_motion)

@@ -25,8 +25,10 @@ Entries bearings() {
     const auto b = scene::builtin_bearing(name);
     const double curvature = scene::make_surface(b.surface)->curvatures(0).meridional;
     result.emplace_back(name, fmt::format("{}{} surface, R0 {:.3g} m, L_c {:.0f} mm",
-                                          b.double_concave() ? "two dishes face to face, " : "", word(b.surface.kind),
-                                          1 / curvature, 1e3 * b.lateral_capacity()));
+                                          b.has_interface()    ? "two dishes face to face, a slider of two halves, "
+                                          : b.double_concave() ? "two dishes face to face, "
+                                                               : "",
+                                          word(b.surface.kind), 1 / curvature, 1e3 * b.lateral_capacity()));
   }
   for (const auto &name : scene::builtin_isolator_names()) {
     const auto b = scene::builtin_isolator(name);

@@ -117,6 +117,11 @@ StoredRun read_run(const std::string &folder, const WindowOptions &options) {
   if (!fs::exists(fs::path(folder) / "scene.toml"))
     throw DataError(folder + ": no scene.toml, so its bearing and load are unknown");
   auto scene = scene::load_scene((fs::path(folder) / "scene.toml").string());
+  if (scene.bearing.has_interface())
+    throw InputError(
+        fmt::format("{}: its slider is two halves (slider.mu_interface {:g}), and the laws of a rim and the "
+                    "reduced model that has them know a slider of one piece",
+                    folder, *scene.bearing.slider.mu_interface));
   const nlohmann::json summary = read_summary(folder);
   const auto solver = word_in<SolvedBy>(summary, "rung", folder);
   // The reference has the pad's and the socket's terms by itself; what is fitted to it must have them too.

@@ -2,6 +2,7 @@
 #include "reduced_models/bearings/pad_on_dish.h"
 #include "reduced_models/bearings/riding_height.h"
 #include "scene/assumptions.h"
+#include "scene/measured_friction.h"
 #include "scene/stack_terms.h"
 #include <cmath>
 #include <fmt/format.h>
@@ -26,7 +27,8 @@ void set_friction(Dish &dish, const scene::Scene &scene, const reduced::RidingHe
   scene::refuse_friction_beyond_speed(
       r.measured, "an exported dish",
       "the elements of OpenSees, SAP2000 and ETABS it is written for go by speed alone");
-  const double at_rest = r.measured.scale * r.mu_slow, at_speed = r.measured.scale * r.mu_fast;
+  const friction::FrictionLaw law = scene::sliding_law(scene); // of what slides, not of its faces
+  const double at_rest = law.scale * r.mu_slow, at_speed = law.scale * r.mu_fast;
   const double socket = r.socket_friction ? scene.bearing.contact.steel_steel * reduced::socket_arm(scene.bearing) : 0;
   const auto per_reaction = [&](double mu) {
     return [&height, socket, mu](double x) {
@@ -39,7 +41,8 @@ void set_friction(Dish &dish, const scene::Scene &scene, const reduced::RidingHe
   dish.rises = riding.rises, dish.ride_fast = riding.slides;
   dish.mu_slow = mean_to(capacity, slow), dish.mu_fast = mean_to(capacity, fast);
   dish.ride_slow = std::max(0.0, dish.ride_fast - (dish.mu_fast - dish.mu_slow));
-  dish.face_slow = at_rest, dish.face_fast = at_speed, dish.rate = r.rate;
+  dish.face_slow = r.measured.scale * r.mu_slow, dish.face_fast = r.measured.scale * r.mu_fast;
+  dish.face_rate = r.rate, dish.rate = law.face_share * r.rate;
   dish.elastic_slip = r.friction == scene::Friction::park_wen ? slip_of_equal_work * r.elastic_slip : rigid_slip;
   for (std::size_t i = 0; i < dish.travel.size(); ++i) {
     const double x = dish.travel[i], f = fast(x) / (1 + dish.slope[i] * dish.slope[i]);

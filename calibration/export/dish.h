@@ -21,6 +21,7 @@ struct Dish {
   double ride_slow, ride_fast;    ///< of the riding slider's sliding element [-]
   double rises;                   ///< its friction against the rise, over W p [-]
   double face_slow, face_fast;    ///< of the sliding face itself, as the scene has them [-]
+  double face_rate;               ///< likewise [s/m]
   double elastic_slip;            ///< travel over which friction builds up [m], > 0
   double vertical_stiffness;      ///< of the pad alone, E A / thickness [N/m]
   std::vector<std::string> stack; ///< sentences: which terms of pad and socket are in it

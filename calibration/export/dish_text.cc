@@ -11,7 +11,7 @@ namespace {
 std::string friction_of(const Dish &dish) {
   return dish.is_coulomb()
              ? fmt::format("Coulomb, {:g}", dish.face_fast)
-             : fmt::format("{:g} slow, {:g} fast, rate {:g} s/m", dish.face_slow, dish.face_fast, dish.rate);
+             : fmt::format("{:g} slow, {:g} fast, rate {:g} s/m", dish.face_slow, dish.face_fast, dish.face_rate);
 }
 
 std::string stack_line(const Dish &dish) {

@@ -27,7 +27,10 @@ void write_fields(const BearingSystem &system, const SystemState &state, const E
   const auto name = fmt::format("fields/{}_{:03d}.vtu", word(system.model().rung.name), record.fields.size());
   std::filesystem::create_directories(options.folder + "/fields");
   std::vector<Discretisation::Field> fields{
-      {"displacement", 3, false, {displacements.data(), displacements.data() + displacements.size()}},
+      {"displacement",
+       3,
+       false,
+       {displacements.data(), displacements.data() + space.n_dofs()}}, // those of bodies stand behind
       {"contact_pressure_MPa", 1, false, pressure},
       {"gap_mm", 1, false, gap},
       {"von_mises_MPa", 1, true, cells.von_mises},

@@ -5,6 +5,7 @@
 #include "fe_contact/engine/solid_fields.h"
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 
 namespace rimpact::fe {
 
@@ -29,7 +30,22 @@ SteelReport steel_of(const BearingModel &model, const SystemState &state, const 
   return report;
 }
 
+std::optional<std::string> stop_of_halves(const BearingSystem &system, const SystemState &state,
+                                          const std::string &where) {
+  const scene::UpperSlider &slider = system.model().bearing.slider;
+  const double slip = system.interface_slip(state.u).head<2>().norm(); // halves may part, too
+  if (slip <= slider.interface_gap) return {};
+  return fmt::format("at {} the halves of the slider have slipped {:.2f} mm, to their stop (slider.interface_gap_mm "
+                     "{:g}), which finite elements do not have: nothing beyond is a result",
+                     where, 1e3 * slip, 1e3 * slider.interface_gap);
+}
+
 namespace {
+
+std::optional<Eigen::Vector2d> slip_of(const BearingSystem &system, const SystemState &state) {
+  if (!system.model().slips()) return {};
+  return system.interface_slip(state.u).head<2>();
+}
 
 /// Nothing while the rim stands still.
 std::optional<FootForces> foot_of(const BearingSystem &system, const SystemState &state) {
@@ -53,10 +69,10 @@ void sample(RunRecord &record, const BearingSystem &system, const SystemState &s
   for (const auto &report : state.reports) pressure = std::max(pressure, report.largest_pressure);
   std::optional<double> pad_pressure;
   if (const auto *dish = system.report_of(state, Role::dish)) pad_pressure = dish->largest_pressure;
-  append(record,
-         {now.time, now.u, now.v, now.forces.total(), now.forces.pendular, now.forces.friction, now.forces.rim,
-          now.forces.normal, now.gap, system.wall_distance(state, now.gap), largest_plastic_strain(state.history),
-          pressure, now.newton_iterations, now.step, pad_pressure, seat_of(system, state), foot_of(system, state)});
+  append(record, {now.time, now.u, now.v, now.forces.total(), now.forces.pendular, now.forces.friction, now.forces.rim,
+                  now.forces.normal, now.gap, system.wall_distance(state, now.gap),
+                  largest_plastic_strain(state.history), pressure, now.newton_iterations, now.step, pad_pressure,
+                  seat_of(system, state), foot_of(system, state), slip_of(system, state)});
 }
 
 } // namespace rimpact::fe

@@ -3,6 +3,8 @@
 #include "fe_contact/drive/run_record.h"
 #include "fe_contact/rungs/bearing_model.h"
 #include "fe_contact/rungs/rim_frame.h"
+#include <optional>
+#include <string>
 
 namespace rimpact::fe {
 
@@ -18,12 +20,16 @@ struct BearingForces {
 /// Of the solids' contacts. Where the dish is a law it adds its own.
 BearingForces forces_of(const BearingSystem &system, const SystemState &state);
 
+/// A sentence where the slider's halves have slipped to their stop, which no solid is; `where`: "t = 1.2 s".
+std::optional<std::string> stop_of_halves(const BearingSystem &system, const SystemState &state,
+                                          const std::string &where);
+
 /// An instant of a run as its response stores it.
 struct Instant {
   double time;          ///< [s], or the load parameter
   Eigen::Vector3d u, v; ///< of the slider, from rest on the vertex, in the plate's frame
   BearingForces forces;
-  double gap; ///< L_c - |u| [m]
+  double gap; ///< L_c - |u|, u without what the slider's halves have slipped apart [m]
   int newton_iterations;
   double step; ///< taken [s], or of the load parameter
 };

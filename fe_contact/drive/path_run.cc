@@ -82,6 +82,16 @@ private:
   ContactSystem &system() override { return system_; }
   SystemState &state() override { return state_; }
 
+  /// A path that goes on into the rim comes to it, and touches it with a short step: what its force does is summed up
+  /// from steps.
+  double clipped(double s, double ds) const override {
+    constexpr double near = 1e-4, touching_way = 2e-4; // [m]
+    if (!on_dish_ || scene_.excitation.kind == scene::ExcitationKind::push || system_.walls_touch(state_)) return 0;
+    const double left = gap(), ahead = gap_at(course_.top(s + ds).plane * model_.rate_ratio);
+    if (ahead >= 0 || left <= ahead) return 0;
+    const double way = left > near ? left - near / 2 : touching_way;
+    return way < 0.99 * (left - ahead) ? ds * way / (left - ahead) : 0;
+  }
   ContactStepReport solve(double s, double ds) override {
     target_ = course_.top(s + ds);
     target_.dt = course_.duration(s, ds);
@@ -106,6 +116,10 @@ private:
       options_.progress({s, 1.0, step.dt, step.report.iterations, gap(), now.total().head<2>().norm(),
                          now.rim.any() ? Phase::pressing : Phase::sliding});
     if (std::floor(s / part + 1e-9) > std::floor(step.t / part + 1e-9)) write_fields(s);
+    if (const auto stop = stop_of_halves(system_, state_, fmt::format("load parameter {:.4f}", s))) {
+      save();
+      throw SolverStopped(*stop);
+    }
   }
 
   /// In the plate's frame.
@@ -120,8 +134,10 @@ private:
     if (course_.frame) return course_.frame->displacement(top);
     return model_.rate_ratio * (top - Eigen::Vector3d(0, 0, rest_height_));
   }
-  double gap() const {
-    return scene_.bearing.lateral_capacity() - displacement(system_.top_of(state_.u)).head<2>().norm();
+  double gap() const { return gap_at(displacement(system_.top_of(state_.u)).head<2>()); }
+  /// At a travel of what is carried, the slider's halves as they are [m].
+  double gap_at(const Eigen::Vector2d &travel) const {
+    return scene_.bearing.lateral_capacity() - (travel - system_.interface_slip(state_.u).head<2>()).norm();
   }
 
   void account(const Eigen::Vector3d &force) {

@@ -17,6 +17,7 @@
 #include "responses/open_impact.h"
 #include "responses/run_folder.h"
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
 #include <new>
@@ -25,6 +26,14 @@
 
 namespace rimpact::fe {
 namespace {
+
+/// Of a slider whose halves slide on one another [m].
+nlohmann::json interface_report(const Response &r) {
+  const auto &x = r.series("interface_slip_x"), &y = r.series("interface_slip_y");
+  double largest = 0;
+  for (std::size_t k = 0; k < x.size(); ++k) largest = std::max(largest, std::hypot(x[k], y[k]));
+  return {{"largest_interface_slip_m", largest}, {"residual_interface_slip_m", std::hypot(x.back(), y.back())}};
+}
 
 Summary summarise(const scene::Scene &scene, const RunRecord &record) {
   const double seconds = record.wall_so_far();
@@ -57,6 +66,7 @@ Summary summarise(const scene::Scene &scene, const RunRecord &record) {
                              {"largest_pressure_on_wall_Pa", largest("recess_pressure_max")},
                              {"friction_J", r.series("energy_friction_seat").back()}};
   }
+  if (r.has("interface_slip_x") && r.size() > 0) summary.extra["interface"] = interface_report(r);
   summary.steel = record.steel;
   summary.foot = foot_report(record.response, scene.bearing);
   if (const auto &steel = scene.bearing.rim_steel(); steel.knows_rate())

@@ -68,6 +68,8 @@ void append(RunRecord &record, const SampleRow &row) {
   }
   if (row.foot)
     for (const auto &[name, value] : foot_signals(*row.foot)) r.append(name, value);
+  if (row.slip)
+    for (int i = 0; i < 2; ++i) r.append(std::string("interface_slip_") + axes[i], (*row.slip)[i]);
   if (row.normal_force) r.append("normal_force", *row.normal_force);
 }
 

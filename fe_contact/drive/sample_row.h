@@ -23,7 +23,8 @@ struct SampleRow {
     double bottom, wall, friction_work;
   };
   std::optional<Seat> seat = {};
-  std::optional<FootForces> foot = {}; ///< empty: the mesh has no foot
+  std::optional<FootForces> foot = {};      ///< empty: the mesh has no foot
+  std::optional<Eigen::Vector2d> slip = {}; ///< of the slider's upper half past the lower one; empty: it is one piece
 };
 /// The foot's signals by name; `rim_foot_use` is there where the joint has one.
 std::vector<std::pair<const char *, double>> foot_signals(const FootForces &foot);

@@ -134,6 +134,10 @@ void SlidingRun::follow(const SolvedStep &step) {
     save();
     throw SolverStopped(*sentence);
   }
+  if (const auto stop = stop_of_halves(stack_.active(), stack_.state, fmt::format("t = {:.4f} s", t_))) {
+    save();
+    throw SolverStopped(*stop);
+  }
   if (stack_.near_rim && stack_.touching() && fields_due(t_, step.dt, options_)) write_fields();
   if (options_.progress)
     options_.progress({t_, end_time(), step.dt, step.report.iterations, stack_.gap(),
@@ -191,7 +195,7 @@ void SlidingRun::part() {
 void SlidingRun::follow_impact(const SolvedStep &step) {
   const double force = stack_.active().force_of(stack_.state, Role::wall).head<2>().norm();
   if (force <= 0) return;
-  if (!impact_.touched()) impact_.begin(step.t, stack_.travel(), closing_before_);
+  if (!impact_.touched()) impact_.begin(step.t, {stack_.ridden().x(), stack_.ridden().y(), 0}, closing_before_);
   impact_.touch();
   impact_.follow(t_, force, -stack_.gap(), stack_.closing_speed());
   if (impact_.turns(stack_.closing_speed())) write_fields();
@@ -214,7 +218,7 @@ void SlidingRun::report_lift() {
 
 std::optional<double> SlidingRun::unmeshed_direction() {
   constexpr double served = 0.15; // cells grow away from a sector's middle [rad]
-  const Eigen::Vector3d u = stack_.travel();
+  const Eigen::Vector2d u = stack_.ridden();
   const double direction = std::atan2(u.y(), u.x()),
                reach = scene_.model.own_mesh.any() ? plan_.sector_half_angle - 0.3 : served;
   const auto serves = [&](double sector) { return std::abs(std::remainder(direction - sector, 2 * M_PI)) < reach; };

@@ -48,12 +48,16 @@ Eigen::Vector3d SlidingStack::travel() const {
   return model_.rate_ratio * (active().top_of(state.u) - Eigen::Vector3d(0, 0, rest_height));
 }
 
+Eigen::Vector2d SlidingStack::ridden() const {
+  return (travel() - active().interface_slip(state.u)).head<2>();
+}
+
 double SlidingStack::gap() const {
-  return model_.bearing.lateral_capacity() - travel().head<2>().norm();
+  return model_.bearing.lateral_capacity() - ridden().norm();
 }
 
 double SlidingStack::closing_speed() const {
-  const Eigen::Vector2d u = travel().head<2>(), v = velocity().head<2>();
+  const Eigen::Vector2d u = ridden(), v = (velocity() - active().interface_slip(state.v)).head<2>();
   return u.norm() > 0 ? v.dot(u.normalized()) : 0;
 }
 
@@ -75,13 +79,20 @@ void SlidingStack::carry_over(const SlidingStack &old) {
                         "between two dishes has other points there; try rung `rim`, which meshes any side");
   const MeshTransfer transfer(old.model_.space, model_.space);
   state = active().at_rest();
+  const auto by_dof = [&](const Eigen::VectorXd &there) { // the bodies' dofs stand behind the nodes'
+    const Eigen::VectorXd nodal = transfer.nodal(there);
+    const Eigen::Index bodies = there.size() - static_cast<Eigen::Index>(old.model_.space.n_dofs());
+    Eigen::VectorXd here(nodal.size() + bodies);
+    here << nodal, there.tail(bodies);
+    return here;
+  };
   const auto moved = [&](const Eigen::VectorXd &values) {
-    return active().equations().gather(transfer.nodal(old.active().equations().expand(values)));
+    return active().equations().gather(by_dof(old.active().equations().expand(values)));
   };
   state.u = moved(old.state.u), state.v = moved(old.state.v), state.a = moved(old.state.a);
   state.history = transfer.history(old.state.history);
   carry_contacts(old.state, active(), state);
-  if (!all_solid() && old.held.displacement.size()) held.displacement = transfer.nodal(old.held.displacement);
+  if (!all_solid() && old.held.displacement.size()) held.displacement = by_dof(old.held.displacement);
   rest_height = old.rest_height, rest_elastic = old.rest_elastic, rest_plastic = old.rest_plastic;
 }
 

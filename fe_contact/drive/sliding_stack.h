@@ -23,8 +23,9 @@ public:
   Eigen::Vector3d travel() const;        ///< of what is carried, from rest on the vertex [m]
   Eigen::Vector3d velocity() const { return model_.rate_ratio * active().top_of(state.v); }     ///< of it [m/s]
   Eigen::Vector3d acceleration() const { return model_.rate_ratio * active().top_of(state.a); } ///< of it [m/s^2]
-  double gap() const;           ///< left of the lateral capacity [m]
-  double closing_speed() const; ///< towards the rim [m/s]
+  Eigen::Vector2d ridden() const; ///< the travel that the dishes have, the slip of the slider's halves taken off [m]
+  double gap() const;             ///< left of the lateral capacity by it [m]
+  double closing_speed() const;   ///< towards the rim [m/s]
   bool touching() const { return active().walls_touch(state); }
   double kinetic_energy() const { return model_.energy_share() * active().kinetic_energy(state); } ///< [J]
 

@@ -46,6 +46,7 @@ void StartOnDish::slide(SystemState &state, TopDrive &drive, double from, double
   const auto go = [&](double at, double step) {
     if (is_interrupted(options_)) throw Interrupted();
     const auto report = drive.move_to(system_, state, {(at + step) / ratio() * direction, {}}, load, steps_);
+    if (const auto stop = stop_of_halves(system_, state, "the way out to the rim")) throw SolverStopped(*stop);
     if (options_.progress)
       options_.progress(
           {0, scene_.excitation.duration, step, report.iterations, end() - at - step, 0, Phase::sliding_out});

@@ -16,6 +16,14 @@ ContactSearch::ContactSearch(const Discretisation &space, meshes::Surface slave,
       points_a_face_(options.points * options.points), faces_(space.faces_of(slave)),
       points_(face_points(space, faces_, options.points)) {
   if (options.carrier_faces) carrier_.emplace(space, *options.carrier_faces);
+  if (!options.image) return;
+  const OwnImage &image = *options.image;
+  carrier_dof_ = image.dof;
+  carrier_weight_ = 2;
+  signs_ = image.signs;
+  image_of_origin_ = image.centre - signs_.cwiseProduct(image.centre);
+  pass_share_ = 0.5;
+  for (FacePoint &point : points_) point.area *= pass_share_;
 }
 
 Vector3d ContactSearch::position(const FacePoint &point, const Eigen::VectorXd &u) const {
@@ -24,7 +32,12 @@ Vector3d ContactSearch::position(const FacePoint &point, const Eigen::VectorXd &
     const unsigned node = faces_[point.face]->nodes[a];
     x += point.shapes.N[a] * (space_.positions[node] + u.segment<3>(3 * node));
   }
-  return x;
+  return image_of_origin_ + seen(x, u);
+}
+
+Vector3d ContactSearch::seen(const Vector3d &slave, const Eigen::VectorXd &by_dof) const {
+  const Vector3d result = signs_.cwiseProduct(slave);
+  return carrier_dof_ < 0 ? result : result + carrier_weight_ * by_dof.segment<3>(carrier_dof_);
 }
 
 std::optional<PointCoupling> ContactSearch::couple(std::size_t k, const Eigen::VectorXd &u, int guess,
@@ -32,11 +45,10 @@ std::optional<PointCoupling> ContactSearch::couple(std::size_t k, const Eigen::V
   const FacePoint &point = points_[k];
   PointCoupling result;
   for (int a = 0; a < point.shapes.n; ++a) result.add(3 * faces_[point.face]->nodes[a], point.shapes.N[a]);
+  result.n_slave = result.n;
+  result.slave_signs = signs_;
   result.y = position(point, u);
-  if (carrier_dof_ >= 0) {
-    result.y -= u.segment<3>(carrier_dof_);
-    result.add(carrier_dof_, -1.0);
-  }
+  if (carrier_dof_ >= 0) result.add(carrier_dof_, carrier_weight_);
   if (carrier_) {
     const Opposite opposite = carrier_->find(result.y, u, guess, beyond);
     if (opposite.face < 0) return {};
@@ -56,7 +68,7 @@ std::optional<PointCoupling> ContactSearch::couple(std::size_t k, const Eigen::V
 
 Vector3d ContactSearch::relative_position(std::size_t k, const Eigen::VectorXd &u, int opposite) const {
   if (const auto coupling = couple(k, u, opposite, reach_past_edges)) return coupling->y;
-  return carrier_->approximate_pull_back(position(points_[k], u), u);
+  return carrier_->rigid_pull_back(position(points_[k], u), u, opposite);
 }
 
 bool ContactSearch::is_candidate(std::size_t k, const Eigen::VectorXd &u, int opposite) const {
@@ -110,7 +122,7 @@ double ContactSearch::stiffness_per_area(const Equations &equations, const Eigen
       for (int i = 0; i < 3; ++i)
         if (const int equation = equations.of_dof[3 * node + i]; equation >= 0) stiffness += diagonal[equation] / 3;
   for (const auto &point : points_) area += point.area;
-  return ranks().all_reduce_sum(stiffness) / area;
+  return ranks().all_reduce_sum(stiffness) * pass_share_ / area;
 }
 
 double ContactSearch::time_to_touch(const Eigen::VectorXd &u, const Eigen::VectorXd &v,
@@ -121,10 +133,7 @@ double ContactSearch::time_to_touch(const Eigen::VectorXd &u, const Eigen::Vecto
     Vector3d y = position(point, u), velocity = Vector3d::Zero();
     for (int a = 0; a < point.shapes.n; ++a)
       velocity += point.shapes.N[a] * v.segment<3>(3 * faces_[point.face]->nodes[a]);
-    if (carrier_dof_ >= 0) {
-      y -= u.segment<3>(carrier_dof_);
-      velocity -= v.segment<3>(carrier_dof_);
-    }
+    velocity = seen(velocity, v);
     if (carrier_) {
       y = carrier_->approximate_pull_back(y, u, opposite[k]);
       velocity = velocity + carrier_->approximate_pull_back(Vector3d::Zero(), v, opposite[k]);

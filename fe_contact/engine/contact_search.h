@@ -11,22 +11,33 @@
 
 namespace rimpact::fe {
 
+/// A body that presses on its own image: what lies at x is met by what lies at c + S (x - c), S of signs, where the
+/// centre c moves with three dofs. A half turn about y has S = (-1, 1, -1), an inversion -1 thrice. Both passes of the
+/// pair are the same one here, so each point has half its area.
+struct OwnImage {
+  Eigen::Vector3d centre; ///< where it is without displacement [m]
+  Eigen::Vector3d signs;
+  int dof; ///< first of the centre's three
+};
+
 struct SurfaceContactOptions {
   CoulombContact law;
   int points = 4;       ///< Gauss points a direction and slave face
   int carrier_dof = -1; ///< first of the rigid carrier's three dofs; -1: the surface stands still
   std::optional<meshes::Surface> carrier_faces{}; ///< or: whose displacement carries the surface
+  std::optional<OwnImage> image{};                ///< of the carrier, whose faces are of the same body
   double margin = 0.01;                           ///< pairs of faces nearer than this are coupled in the matrix [m]
 };
 
 /// The nodes a point couples, with the derivatives of their weights by (xi, eta) of the carrier's face.
 struct PointCoupling {
-  static constexpr int most = 2 * FaceShapes::max_nodes;
+  static constexpr int most = 2 * FaceShapes::max_nodes + 1;
   Eigen::Vector3d y;                                                     ///< relative position [m]
   Eigen::Matrix3d inverse = Eigen::Matrix3d::Identity();                 ///< dy/dw, w = sum of N u
   Eigen::Matrix<double, 2, 3> dxi = Eigen::Matrix<double, 2, 3>::Zero(); ///< d(xi, eta)/dw
   Eigen::Vector3d second[3]; ///< of the carrier's displacement by (xi, eta), see Opposite
-  int n = 0, carrier_face = -1;
+  int n = 0, n_slave = 0, carrier_face = -1;
+  Eigen::Vector3d slave_signs = Eigen::Vector3d::Ones(); ///< of the first n_slave nodes' weights, by component
   int dofs[most];
   double N[most], dN[most][2];
   bool inside = true;
@@ -51,10 +62,11 @@ public:
   const std::vector<const Face *> &faces() const { return faces_; } ///< slave
   const std::vector<FacePoint> &points() const { return points_; }  ///< of the faces, one after the other
   std::size_t points_a_face() const { return points_a_face_; }
+  double pass_share() const { return pass_share_; } ///< of a point's area that the points have: 1; on its own image 1/2
   /// Of point k at dof displacements u; the search begins at carrier face `guess`. Empty where nothing is
   /// opposite, up to `beyond` past the carrier's free edges [half widths of a face].
   std::optional<PointCoupling> couple(std::size_t k, const Eigen::VectorXd &u, int guess, double beyond) const;
-  /// Relative position by the present opposite, else by the carrier's rough displacement [m].
+  /// Relative position by the present opposite, else as that face, or the first, moves and turns [m].
   Eigen::Vector3d relative_position(std::size_t k, const Eigen::VectorXd &u, int opposite) const;
   /// Whether a point for which no face is found may be on the master's surface, judged by the face last opposite.
   bool is_candidate(std::size_t k, const Eigen::VectorXd &u, int opposite) const;
@@ -71,11 +83,17 @@ public:
   double stiffness_per_area(const Equations &equations, const Eigen::VectorXd &diagonal) const;
 
 private:
-  Eigen::Vector3d position(const FacePoint &point, const Eigen::VectorXd &u) const;
+  Eigen::Vector3d position(const FacePoint &point, const Eigen::VectorXd &u) const; ///< as the carrier sees it
+  /// A way or a velocity of the slave as the carrier sees it: beside a rigid one's own, or as its image's.
+  Eigen::Vector3d seen(const Eigen::Vector3d &slave, const Eigen::VectorXd &by_dof) const;
 
   const Discretisation &space_;
   MasterSurface master_;
   int carrier_dof_;
+  double carrier_weight_ = -1;                      ///< of these dofs
+  Eigen::Vector3d signs_ = Eigen::Vector3d::Ones(); ///< of the slave's displacement
+  Eigen::Vector3d image_of_origin_{0, 0, 0};        ///< of an image's frame [m]
+  double pass_share_ = 1;
   double margin_;
   std::size_t points_a_face_;
   std::vector<const Face *> faces_;

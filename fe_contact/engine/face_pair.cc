@@ -12,6 +12,7 @@ void FacePair::add(const PointCoupling &coupling, double area, const Vector3d &t
   const int n = 3 * coupling.n;
   if (dofs.empty()) {
     dofs.assign(coupling.dofs, coupling.dofs + coupling.n);
+    n_slave = coupling.n_slave, slave_signs = coupling.slave_signs;
     forces.setZero(n);
     stiffness.setZero(n, n);
   }
@@ -37,7 +38,7 @@ void FacePair::add_to(const Equations &equations, Eigen::VectorXd &all_forces, T
   for (int a = 0; a < n; ++a)
     for (int i = 0; i < 3; ++i) {
       equation[3 * a + i] = equations.of_dof[dofs[a] + i];
-      weight[3 * a + i] = equations.weight[dofs[a] + i];
+      weight[3 * a + i] = equations.weight[dofs[a] + i] * (a < n_slave ? slave_signs[i] : 1.0);
     }
   std::vector<int> order; // of the columns that are equations, ascending by equation
   for (int b = 0; b < 3 * n; ++b)

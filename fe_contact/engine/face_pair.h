@@ -9,7 +9,9 @@ namespace rimpact::fe {
 /// contact costs.
 struct FacePair {
   int carrier_face = -1;
-  std::vector<int> dofs{}; ///< first of each node's three; empty: nothing summed up
+  std::vector<int> dofs{};              ///< first of each node's three; empty: nothing summed up
+  int n_slave = 0;                      ///< of them are the slave's
+  Eigen::Vector3d slave_signs{1, 1, 1}; ///< see PointCoupling
   Eigen::VectorXd forces{};
   Eigen::MatrixXd stiffness{};
 

@@ -115,6 +115,28 @@ Eigen::Vector3d MasterFaces::approximate_pull_back(const Eigen::Vector3d &x, con
   return x - u.segment<3>(3 * nodes[nodes.size() / 2]);
 }
 
+Eigen::Vector3d MasterFaces::rigid_pull_back(const Eigen::Vector3d &x, const Eigen::VectorXd &u, int face) const {
+  const Face &at = *faces_[std::max(face, 0)];
+  const FaceShapes shapes = face_shapes(space_.degree, 0, 0);
+  const auto frame_of = [&](bool moved) { // its middle, two tangents and the normal
+    Eigen::Matrix<double, 3, 4> frame = Eigen::Matrix<double, 3, 4>::Zero();
+    for (int a = 0; a < shapes.n; ++a) {
+      const unsigned node = at.nodes[a];
+      const Eigen::Vector3d place =
+          moved ? Eigen::Vector3d(space_.positions[node] + u.segment<3>(3 * node)) : space_.positions[node];
+      frame.col(0) += shapes.N[a] * place;
+      frame.col(1) += shapes.dxi[a] * place;
+      frame.col(2) += shapes.deta[a] * place;
+    }
+    const Eigen::Vector3d along = frame.col(1), across = frame.col(2);
+    frame.col(3) = along.cross(across).normalized();
+    return frame;
+  };
+  const Eigen::Matrix<double, 3, 4> before = frame_of(false), now = frame_of(true);
+  const Eigen::Matrix3d turned = now.rightCols<3>();
+  return before.col(0) + before.rightCols<3>() * turned.inverse() * (x - now.col(0));
+}
+
 double MasterFaces::displacement_spread(const Eigen::VectorXd &u, int face) const {
   double largest = 0;
   for (const unsigned node : faces_[std::max(face, 0)]->nodes)

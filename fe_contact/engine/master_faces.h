@@ -31,6 +31,9 @@ public:
   /// x pulled back with the displacement of a face's middle (-1: the group's first): good enough to look up what is
   /// near.
   Eigen::Vector3d approximate_pull_back(const Eigen::Vector3d &x, const Eigen::VectorXd &u, int face = -1) const;
+  /// x pulled back as a face's middle moves and turns: where a body that turns would have carried a point beyond its
+  /// edges.
+  Eigen::Vector3d rigid_pull_back(const Eigen::Vector3d &x, const Eigen::VectorXd &u, int face = -1) const;
   /// How much a face's displacements differ from its middle's at most: what `approximate_pull_back` errs by near that
   /// face [m].
   double displacement_spread(const Eigen::VectorXd &u, int face) const;

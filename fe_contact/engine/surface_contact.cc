@@ -186,8 +186,8 @@ void SurfaceContact::commit(const Eigen::VectorXd &u, SurfaceContactState &state
     const Vector3d y = search_.relative_position(k, u, state.opposite[k]);
     if (state.entry[k] > 0) {
       const Vector3d way = y - state.start[k], n = search_.master().distance(y).normal;
-      state.entry[k] *=
-          std::exp(-entries_given_up * (way - n.dot(way) * n).norm() / std::sqrt(search_.points()[k].area));
+      state.entry[k] *= std::exp(-entries_given_up * (way - n.dot(way) * n).norm() /
+                                 std::sqrt(search_.points()[k].area / search_.pass_share()));
     }
     state.start[k] = y;
   }

@@ -1,5 +1,7 @@
 #include "fe_contact/planning/refusal.h"
+#include "fe_contact/planning/stack_plan.h"
 
+#include <cmath>
 #include <fmt/format.h>
 
 namespace rimpact::planning {
@@ -46,6 +48,38 @@ std::optional<std::string> beyond_rungs(const scene::Scene &scene) {
   return unread_of_reduced(scene);
 }
 
+namespace {
+
+/// The dishes ask for tan(phi) of the plane between the halves, sin(phi) = R sin(atan mu) / (R - H_s / 2).
+std::optional<std::string> halves_that_slide_first(const scene::Bearing &b) {
+  if (!b.has_interface()) return std::nullopt;
+  const double R = b.surface.R0, mu = b.contact.steel_ertalyte, holds = *b.slider.mu_interface,
+               asked = std::tan(std::asin(R * std::sin(std::atan(mu)) / (R - b.slider.height / 2)));
+  if (holds > asked) return std::nullopt;
+  return fmt::format("bearing.slider.mu_interface {:g} must be above {:.4g}, which the dishes ask of it "
+                     "(contact.steel_ertalyte {:g}): the halves would slide before the slider does",
+                     holds, asked, mu);
+}
+
+/// A quasi-static path goes into the rims where the halves of the slider give way, and there alone.
+std::optional<std::string> path_beyond_the_rim(const scene::Scene &scene) {
+  const bool along_a_file = scene.excitation.kind == scene::ExcitationKind::path;
+  if (const Plan plan = make_plan(scene); plan.rim_takes_part && !goes_into_the_rim(plan, scene.bearing))
+    return fmt::format(
+        "excitation.{} {} carries the slider to the rim, L_c = {} m; a quasi-static path must stay "
+        "below it{}",
+        along_a_file ? "file reaches" : "amplitude_m",
+        scene.excitation.scale * (along_a_file ? scene.excitation.path.reach() : scene.excitation.largest_amplitude()),
+        scene.bearing.lateral_capacity(),
+        !scene.bearing.has_interface() ? std::string()
+                                       : fmt::format(", or go beyond it along x, in a half model, by no more than "
+                                                     "slider.interface_gap_mm {:g}",
+                                                     1e3 * scene.bearing.slider.interface_gap));
+  return std::nullopt;
+}
+
+} // namespace
+
 std::optional<std::string> refusal(const scene::Scene &scene) {
   if (auto reason = beyond_rungs(scene)) return reason;
   using Kind = scene::ExcitationKind;
@@ -67,19 +101,17 @@ std::optional<std::string> refusal(const scene::Scene &scene) {
         "load.vertical_kN {:g} has nothing that holds the stack on its dish: rung `{}` needs a weight > 0; rung "
         "`rim` can do without",
         scene.load.vertical / 1e3, rung);
+  if (auto reason = halves_that_slide_first(scene.bearing)) return reason;
+  if (!stands && scene.bearing.has_interface())
+    return fmt::format("bearing.slider.mu_interface {:g} is not for rung `{}`, whose slider is one piece: try --rung "
+                       "rigid-dish, or leave it out",
+                       *scene.bearing.slider.mu_interface, rung);
   const double own = scene::slider_mass(scene.bearing);
   if (scene.load.mass <= own)
     return fmt::format("load.mass_kg {:g} is no more than the slider's own mass, {:.1f} kg, which it includes: nothing "
                        "is left to be carried",
                        scene.load.mass, own);
-  if (stands && on_the_dish && make_plan(scene).rim_takes_part)
-    return fmt::format("excitation.{} {} carries the slider to the rim, L_c = {} m; a quasi-static path must stay "
-                       "below it",
-                       kind == Kind::path ? "file reaches" : "amplitude_m",
-                       scene.excitation.scale *
-                           (kind == Kind::path ? scene.excitation.path.reach() : scene.excitation.largest_amplitude()),
-                       scene.bearing.lateral_capacity());
-  return std::nullopt;
+  return stands && on_the_dish ? path_beyond_the_rim(scene) : std::nullopt;
 }
 
 } // namespace rimpact::planning

@@ -57,13 +57,16 @@ bool moves_along_x(const scene::Excitation &e) {
 
 } // namespace
 
+bool goes_into_the_rim(const Plan &plan, const scene::Bearing &bearing) {
+  return plan.half && bearing.has_interface() && -plan.closest_gap < bearing.slider.interface_gap;
+}
+
 Plan stack_path_plan(const scene::Scene &scene) {
   constexpr double steps_a_cycle = 170, steps_a_push = 95, iterations_a_step = 5;
   Plan plan;
   plan.rung = scene.model.rung;
   plan.moves_in_time = false;
   const bool push = scene.excitation.kind == scene::ExcitationKind::push;
-  if (plan.rung == scene::Rung::full && !push) plan.sectors = {0, M_PI}; // a path goes both ways
   plan.mesh = scene.model.mesh;
   const auto &e = scene.excitation;
   const bool to_and_fro = e.stays_on_dish() && e.kind != scene::ExcitationKind::figure_eight;
@@ -74,15 +77,19 @@ Plan stack_path_plan(const scene::Scene &scene) {
     travel = std::max(travel, scene::prescribed_displacement(e, capacity, 1e-3 * k).norm());
   plan.closest_gap = capacity - travel;
   plan.rim_takes_part = plan.closest_gap <= 0;
+  const bool into_the_rim = !push && plan.rim_takes_part && goes_into_the_rim(plan, scene.bearing);
+  if (into_the_rim || (!push && plan.rung == scene::Rung::full)) plan.sectors = {0, M_PI}; // a path goes both ways
   if (push) plan.sectors = {std::atan2(e.direction().y(), e.direction().x())};
   plan.expected_steps = push ? steps_a_push : std::lround(steps_a_cycle * (to_and_fro ? e.rounds() : 1.0));
   const double iterations = plan.expected_steps * iterations_a_step;
-  add_cost(plan, scene.bearing, push ? 0 : iterations, push ? iterations : 0, 1);
+  const bool solid_rim = push || into_the_rim;
+  add_cost(plan, scene.bearing, solid_rim ? 0 : iterations, solid_rim ? iterations : 0, plan.sectors.size());
   add_pad_note(plan, scene);
-  if (plan.rim_takes_part && !push)
+  if (plan.rim_takes_part && !solid_rim)
     plan.notes.push_back(fmt::format("the path reaches the rim ({:.1f} mm past L_c), which this rung does not mesh in "
-                                     "a quasi-static scene: `run` refuses; try --rung rim and a push",
-                                     -1e3 * plan.closest_gap));
+                                     "this scene: `run` refuses{}",
+                                     -1e3 * plan.closest_gap,
+                                     scene.bearing.has_interface() ? "" : "; try --rung rim and a push"));
   return plan;
 }
 

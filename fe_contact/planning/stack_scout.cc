@@ -70,12 +70,13 @@ void scout_stack(Plan &plan, scene::Scene scene) {
   add_impacts(plan, run.summary, run.response);
   plan.moves_from = begin_of_sliding(run.response);
   plan.rests_from = end_of_sliding(run.response);
-  const double capacity = scene.bearing.lateral_capacity();
+  const double capacity = scene.bearing.lateral_capacity(),
+               slip = scene.bearing.has_interface() ? scene.bearing.slider.interface_gap : 0; // which the scout has not
   const auto meshed = [&](double direction) { return !plan.half ? direction : std::cos(direction) < 0 ? M_PI : 0.0; };
   plan.sectors.clear();
   for (const auto &impact : plan.impacts) add_sector(plan.sectors, meshed(impact.direction_deg * M_PI / 180));
   plan.closest_gap = capacity;
-  for (const auto &pass : near_passes(run.response, capacity - margin)) {
+  for (const auto &pass : near_passes(run.response, capacity - margin - slip)) {
     add_sector(plan.sectors, meshed(std::atan2(pass.y(), pass.x())));
     plan.closest_gap = std::min(plan.closest_gap, capacity - pass.norm());
   }

@@ -18,6 +18,8 @@ Supports supports_of(const BearingModel &model, RimState rim) {
     else
       supports.tie(Surface::top, i);
   if (model.mesh.half) supports.fix(Surface::symmetry, 1);
+  if (model.slips())
+    if (const int middle = supports.add_body(); model.mesh.half) supports.fix_dof(middle + 1);
   model.rung.hold(supports, rim);
   return supports;
 }
@@ -49,11 +51,12 @@ BearingSystem::BearingSystem(const BearingModel &model, double mass, RimState ri
     : ContactSystem(model.space, model.solid, supports.number()), model_(model), mass_(mass) {
   const Discretisation &space = model.space;
   const auto &of = equations().of_dof;
-  const unsigned at = model.turns() ? middle_node(space) : space.nodes_of(Surface::top).front();
-  for (int i = 0; i < 3; ++i) top_.equation[i] = of[3 * at + i];
-  if (model.turns()) tie_middle_plane(*this, model);
+  const int at = model.turns() ? middle_dof(model) : static_cast<int>(3 * space.nodes_of(Surface::top).front());
+  const int ridden = model.turns() ? static_cast<int>(3 * middle_node(space)) : at;
+  for (int i = 0; i < 3; ++i) top_.equation[i] = of[at + i], ridden_.equation[i] = of[ridden + i];
+  if (model.turns() && !model.slips()) tie_middle_plane(*this, model);
   const double on_top = mass * std::pow(model.rate_ratio, 2) / model.bearing.dishes(); // m u'^2 / 2 = 2 on_top w'^2 / 2
-  if (mass > 0) add_mass(3 * at, (on_top - model.own_mass()) / model.share());
+  if (mass > 0) add_mass(at, (on_top - model.own_mass()) / model.share());
   for (const Pair &pair : model.rung.pairs(model, rim)) {
     add_contact(pair.slave, pair.master, pair.options);
     roles_.push_back(pair.role);
@@ -66,6 +69,8 @@ BearingSystem::BearingSystem(const BearingModel &model, double mass, RimState ri
       if (const int equation = of[3 * space.cell_nodes[c * space.nodes_per_cell + k / 3] + k % 3]; equation >= 0)
         unique[k % 3].insert(equation);
   }
+  for (int i = 0; i < 3; ++i)
+    if (top_.equation[i] >= 0) unique[i].insert(top_.equation[i]);
   for (int i = 0; i < 3; ++i) carried_[i].assign(unique[i].begin(), unique[i].end());
 }
 
@@ -105,6 +110,12 @@ Eigen::Vector3d BearingSystem::friction_of(const SystemState &state, Role role) 
 bool BearingSystem::walls_touch(const SystemState &state) const {
   const auto *wall = report_of(state, Role::wall);
   return wall && wall->stick + wall->slip > 0;
+}
+
+/// The image's middle is as far beyond the bearing's as that of the half behind it: u = 2 w.
+Eigen::Vector3d BearingSystem::interface_slip(const Eigen::VectorXd &by_equation) const {
+  return model_.slips() ? Eigen::Vector3d(2 * (top_.of(by_equation) - ridden_.of(by_equation)))
+                        : Eigen::Vector3d::Zero();
 }
 
 double BearingSystem::wall_distance(const SystemState &state, double otherwise) const {

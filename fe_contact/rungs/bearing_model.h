@@ -25,6 +25,8 @@ struct BearingModel {
   double energy_share() const { return share() * bearing.dishes(); } ///< and of energies: two dishes stand in series
   /// A slider between two dishes that slides on them, and turns as it goes: u = 2 q, q the way of its middle.
   bool turns() const { return bearing.double_concave() && rung.dish != DishKind::law; }
+  /// Its halves slide on one another, and the middle is no point of them (middle_plane.h).
+  bool slips() const { return turns() && bearing.has_interface(); }
   double own_mass() const; ///< of the carried bodies, of one dish's side of the bearing [kg]
 
   const Rung &rung;
@@ -61,6 +63,8 @@ public:
   Eigen::Vector3d force_of(const SystemState &state, Role role) const;
   Eigen::Vector3d friction_of(const SystemState &state, Role role) const;
   bool walls_touch(const SystemState &state) const;
+  /// How far the slider's upper half is ahead of the lower one, or how fast; zero where it is one piece [m], [m/s].
+  Eigen::Vector3d interface_slip(const Eigen::VectorXd &by_equation) const;
   /// Way of what is carried until the walls meet, as the last step left them: between two dishes of both rims together;
   /// `otherwise` where they are no pair, or nothing is opposite [m].
   double wall_distance(const SystemState &state, double otherwise) const;
@@ -87,7 +91,7 @@ private:
 
   const BearingModel &model_;
   double mass_;
-  RemoteFace top_;
+  RemoteFace top_, ridden_;     ///< what carries the mass; the middle of the half that is solved
   std::vector<Role> roles_;     ///< of the contacts
   std::vector<int> carried_[3]; ///< equations of the carried bodies, by component
 };

@@ -6,9 +6,13 @@
 #include <stdexcept>
 
 namespace rimpact::fe {
+
+using meshes::Surface;
+
 namespace {
 
 constexpr double same_place = 1e-6; // [m]
+constexpr double cell = 0.025;      // of the plane, at level 1 [m]
 
 using Place = std::array<long, 2>;
 
@@ -18,14 +22,14 @@ Place place_of(const Eigen::Vector3d &x) {
 
 /// Thirty times the steel's stiffness over a cell of the plane: it gives way by less than a micrometre.
 double stiffness_of(const BearingModel &model) {
-  constexpr double cell = 0.025, stiffer = 30; // [m] at level 1
+  constexpr double stiffer = 30;
   return stiffer * model.bearing.steel_of(scene::SteelPart::slider).E * cell * meshes::size_factor(model.mesh.level);
 }
 
 } // namespace
 
 unsigned middle_node(const Discretisation &space) {
-  for (const unsigned node : space.nodes_of(meshes::Surface::top))
+  for (const unsigned node : space.nodes_of(Surface::top))
     if (space.positions[node].head<2>().norm() < same_place) return node;
   throw std::logic_error("the slider's middle plane has no node on its axis");
 }
@@ -36,7 +40,7 @@ void tie_middle_plane(ContactSystem &system, const BearingModel &model) {
   const unsigned middle = middle_node(space);
   const double stiffness = stiffness_of(model);
   std::map<Place, unsigned> at;
-  for (const unsigned node : space.nodes_of(meshes::Surface::top)) at[place_of(space.positions[node])] = node;
+  for (const unsigned node : space.nodes_of(Surface::top)) at[place_of(space.positions[node])] = node;
   for (const auto &[place, node] : at) {
     const auto found = at.find({-place[0], model.mesh.half ? place[1] : -place[1]});
     if (found == at.end()) throw std::logic_error("a node of the slider's middle plane has no image");
@@ -50,6 +54,22 @@ void tie_middle_plane(ContactSystem &system, const BearingModel &model) {
       system.add_tie({{of[3 * node + i], 1}, {of[3 * image + i], 1}, {of[3 * middle + i], -2}}, stiffness);
     }
   }
+}
+
+int middle_dof(const BearingModel &model) {
+  return static_cast<int>(3 * (model.slips() ? model.space.n_nodes : middle_node(model.space)));
+}
+
+Pair halves_pair(const BearingModel &model) {
+  constexpr double stiffer = 16; // as the faces on the dishes are, see rigid_dish.cc
+  const scene::Bearing &bearing = model.bearing;
+  const double mu = *bearing.slider.mu_interface, side = model.mesh.half ? 1 : -1; // in the half model's plane
+  const Eigen::Vector3d centre = model.space.positions[middle_node(model.space)];
+  Pair pair{Role::interface, Surface::top, plane(centre, Eigen::Vector3d::UnitZ()),
+            penalised(model, bearing.steel_of(scene::SteelPart::slider).E, cell, {mu, mu, 0, {}}, stiffer)};
+  pair.options.carrier_faces = Surface::top;
+  pair.options.image = OwnImage{centre, {-1, side, -1}, middle_dof(model)};
+  return pair;
 }
 
 } // namespace rimpact::fe

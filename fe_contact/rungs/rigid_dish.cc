@@ -1,6 +1,7 @@
 #include "fe_contact/rungs/rigid_dish.h"
 
 #include "fe_contact/rungs/bearing_model.h"
+#include "fe_contact/rungs/middle_plane.h"
 #include "fe_contact/rungs/rim.h"
 #include "meshes/stack_mesh.h"
 #include <algorithm>
@@ -89,6 +90,7 @@ std::vector<Pair> stack_pairs(const BearingModel &model, RimState rim) {
     if (bearing.pad_is_seated())
       for (const Pair &pair : seat_pairs(bearing, pairs.front().options)) pairs.push_back(pair);
   }
+  if (model.slips()) pairs.push_back(halves_pair(model));
   if (rim == RimState::solid)
     for (const Pair &pair : wall_pairs(model, wall_cell, 1)) pairs.push_back(pair);
   return pairs;

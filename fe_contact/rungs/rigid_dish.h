@@ -16,8 +16,8 @@ inline std::vector<meshes::Volume> stack_bodies() {
 }
 StepOptions stack_steps();
 void hold_plate(Supports &supports, RimState rim); ///< or, with the rim held, plate and rim as bodies
-/// Dish under the pad, socket on the foot's cap, a frictional pad in the foot's recess and, with the rim, wall against
-/// slider.
+/// Dish under the pad, socket on the foot's cap, a frictional pad in the foot's recess. The halves of a slider that is
+/// two on one another. With the rim, wall against slider.
 std::vector<Pair> stack_pairs(const BearingModel &model, RimState rim);
 
 } // namespace rimpact::fe

@@ -15,12 +15,13 @@ struct BearingModel;
 
 /// What a pair of surfaces is to the bearing; a rung has at most one pair of each.
 enum class Role {
-  dish,   ///< the pad's face on the sliding surface
-  socket, ///< the foot's cap in the slider's socket
-  seat,   ///< the pad's back on the bottom of the foot's recess
-  recess, ///< the pad's edge within the recess's wall
-  edge,   ///< the edge of a slider between two dishes on its dish, beside the wall
-  wall    ///< the slider against the rim
+  dish,      ///< the pad's face on the sliding surface
+  socket,    ///< the foot's cap in the slider's socket
+  seat,      ///< the pad's back on the bottom of the foot's recess
+  recess,    ///< the pad's edge within the recess's wall
+  edge,      ///< the edge of a slider between two dishes on its dish, beside the wall
+  interface, ///< the halves of a slider between two dishes on one another
+  wall       ///< the slider against the rim
 };
 
 /// A contact pair: a slave group against an exact surface, which may stand on a body's deformed faces.

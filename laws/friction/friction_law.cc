@@ -10,6 +10,9 @@ void FrictionLaw::validate() const {
   const auto text = [](double v) { return std::to_string(v); };
   if (by_pressure() && !(area > 0))
     throw InputError("friction by pressure needs the area of the sliding face, which is " + text(area * 1e6) + " mm^2");
+  if (!(face_share > 0 && faces > 0))
+    throw InputError("friction of " + std::to_string(faces) + " faces with " + text(face_share) +
+                     " of the way each: both must be above 0");
   if (table) return;
   if (!(mu_slow >= 0)) throw InputError("reduced.mu_slow " + text(mu_slow) + " is below 0");
   if (!(mu_fast >= mu_slow)) throw InputError("reduced.mu_slow " + text(mu_slow) + " exceeds mu_fast " + text(mu_fast));
@@ -33,7 +36,9 @@ Coefficient scaled(Coefficient mu, double factor) {
 } // namespace
 
 Coefficient FrictionLaw::at(const Sliding &s) const {
-  Coefficient mu = table ? table->at(s.speed, s.pressure) : by_speed_alone(*this, s.speed);
+  const double speed = face_share * s.speed;
+  Coefficient mu = table ? table->at(speed, s.pressure) : by_speed_alone(*this, speed);
+  mu.d_speed *= face_share;
   if (scale != 1) mu = scaled(mu, scale);
   if (reference_pressure) {
     mu = scaled(mu, pressure_factor(s.pressure, *reference_pressure));

@@ -32,12 +32,14 @@ struct FrictionLaw {
   bool by_temperature = false;                     ///< k_T
   std::shared_ptr<const FrictionTable> table = {}; ///< takes the place of the numbers above
   double area = 0;                                 ///< of the sliding face [m^2], > 0 where pressure is read
+  double face_share = 1; ///< way of a face over that of what slides [-], > 0: R / R_eff between two dishes
+  int faces = 1;         ///< in series, each with its share of what friction takes, > 0
 
   void validate() const; ///< throws InputError naming key, value and bound
   bool by_pressure() const { return reference_pressure.has_value() || (table && table->by_pressure()); }
   bool by_speed() const { return table ? table->by_speed() : mu_slow != mu_fast; }
   bool holds() const { return at({}).value > 0; } ///< whether it holds anything at rest
-  Coefficient at(const Sliding &sliding) const;
+  Coefficient at(const Sliding &sliding) const;   ///< its speed is that of what slides
   /// The same under a normal force on the whole face [N]: mean pressure normal / area.
   Coefficient under(double normal, double speed, double temperature) const {
     return at({speed, by_pressure() && normal > 0 ? normal / area : 0.0, temperature});

@@ -183,8 +183,8 @@ Vector3d Dynamics::friction_of(const Site &site, const State &y, const Vector2d 
       e.normal = std::max(0.0, load / (up + per_normal(e.normal).z()));
   }
   const Vector3d f = per_normal(e.normal);
-  if (heats() && e.normal > 0 && friction::passes_over(u.norm(), contact_radius))
-    e.heat_flux = mu(speed, e.normal, y).value * e.normal / friction_law.area * speed * share;
+  if (heats() && e.normal > 0 && friction::passes_over(friction_law.face_share * u.norm(), contact_radius))
+    e.heat_flux = mu(speed, e.normal, y).value * e.normal / (friction_law.faces * friction_law.area) * speed * share;
   return e.normal * f;
 }
 

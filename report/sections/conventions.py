@@ -8,7 +8,7 @@ ROWS = [
     ["Force F", "what the bearing does to the supported mass; the sum of pendular, friction and impact parts. It is drawn "
      "as −F, so that a positive displacement meets a positive force. Peaks are of the horizontal norm."],
     ["Ground acceleration", "positive along +axis; the load on the mass is −m a_g."],
-    ["Gap, penetration", "gap = L_c − |u|, negative while the rim is pressed; penetration = −gap. Finite elements also "
+    ["Gap, penetration", "gap = L_c − |u|, u less the slip of a slider of two halves, negative while the rim is pressed; penetration = −gap. Finite elements also "
      "know the smallest distance of the walls: a yielded rim is touched later than L_c."],
     ["Touch, release", "first instant of non-zero rim force, and where the force, falling as at its last samples, is gone."],
     ["Rebound over approach", "radial speed at release over that at touch. It is not e: ground motion, slope and friction "

@@ -66,6 +66,15 @@ class RefusedScenes(Refusals):
             self.assertEqual(done.returncode, 0)
             self.assertIn("are the units right?", done.stderr)
 
+    def test_a_slider_of_two_halves_wants_a_rung_that_has_them(self):
+        halves = ["impact-window", "--set", "bearing.name=lir-dcfp-155", "--set", 'excitation.with=["weight","friction"]']
+        self.refused(2, "bearing.slider.mu_interface 0.15", "--rung rigid-dish", arguments=["run", *halves, "--dry-run"])
+        self.refused(2, "bearing.slider.mu_interface 0.05", "0.05167",
+                     arguments=["run", *halves, "--rung", "rigid-dish", "--set", "bearing.slider.mu_interface=0.05", "--dry-run"])
+        self.refused(2, "main finds the law of a rim", arguments=["main", "lir-dcfp-155", "--dry-run"])
+        done = rimpact("run", *halves, "--rung", "rigid-dish", "--dry-run")
+        self.assertEqual(done.returncode, 0, done.stderr)
+
     def test_a_mass_below_the_sliders_is_refused(self):
         run = rimpact("check", "impact-window", "--set", "load.mass_kg=20", "--set", "load.vertical_kN=0.2")
         self.assertEqual(run.returncode, 2)

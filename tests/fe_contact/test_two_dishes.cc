@@ -1,9 +1,11 @@
 // A slider that slides between two dishes: its force against the closed form, and how its middle plane moves.
+#include "fe_contact/drive/forces.h"
 #include "fe_contact/drive/run.h"
 #include "fe_contact/drive/top_drive.h"
 #include "fe_contact/planning/plan.h"
 #include "fe_contact/rungs/middle_plane.h"
 #include "fe_contact/rungs/rigid_dish.h"
+#include "fe_contact/solver/march.h"
 #include "reduced_models/simulate.h"
 #include "scene/bearing_catalogue.h"
 #include <gtest/gtest.h>
@@ -78,6 +80,43 @@ TEST(TwoDishes, TheMiddlePlaneTurnsOddlyAboutItsMiddle) {
       EXPECT_NEAR((u[3 * a + 2] - u[3 * b + 2]) / (2 * x.x()), std::sin(theta), 2e-4) << x.transpose();
     }
   EXPECT_GT(pairs, 20);
+}
+
+/// Both rims hold the halves of an LIR-DCFP's slider: its interface slides at tan(theta + atan mu_s), and keeps its
+/// slip on the way back.
+TEST(TwoDishes, HalvesSlideOnOneAnotherWhereTheRimsHoldThem) {
+  scene::Bearing bearing = scene::builtin_bearing("lir-dcfp-155");
+  bearing.surface.planar_radius = 0.1705; // a short way out
+  const double C = bearing.lateral_capacity();
+  ASSERT_NEAR(C, 0.04, 1e-3);
+  const BearingModel model(rungs::rigid_dish, bearing, {.level = 0, .half = true, .rim = true});
+  BearingSystem system(model, 0, RimState::solid);
+  SystemState state = system.at_rest();
+  const Eigen::VectorXd weight = system.dead_load(W);
+  preload_on_dish(system, state, weight, rungs::rigid_dish.steps);
+  TopDrive drive;
+  double at = 0;
+  const auto slide = [&](double u) { // [m], in steps that are cut
+    const double way = u - at;
+    const auto go = [&](double s, double ds) {
+      const Eigen::Vector2d goal((at + (s + ds) * way) / model.rate_ratio, 0);
+      const auto report = drive.move_to(system, state, {goal, {}}, weight, rungs::rigid_dish.steps);
+      return Attempt{report.converged, 0, report.reason};
+    };
+    const double longest = std::min(1.0, 0.02 / std::abs(way));
+    const MarchReport report = march(0, 1, {std::min(longest, 5e-5 / std::abs(way)), 1e-6 * longest, longest, 5.0}, go);
+    EXPECT_TRUE(report.finished) << u << ": " << report.reason;
+    at = u;
+  };
+  slide(C - 5e-4);
+  EXPECT_LT(system.interface_slip(state.u).norm(), 2e-5);
+  EXPECT_FALSE(system.walls_touch(state));
+  slide(C + 2e-3);
+  const double theta = std::asin(C / 3.0), expected = W * std::tan(theta + std::atan(*bearing.slider.mu_interface));
+  EXPECT_NEAR(-forces_of(system, state).total().x(), expected, 0.005 * expected);
+  const Eigen::Vector3d slip = system.interface_slip(state.u);
+  EXPECT_NEAR(slip.x(), 2e-3 - 0.3e-3, 0.2e-3);            // what the rims give way is theirs
+  EXPECT_NEAR(slip.z() / slip.x(), std::tan(theta), 0.02); // along the tilted plane
 }
 
 /// Loads, masses and ways of what is carried and of the middle, in time: a pulse that stays on the dishes.

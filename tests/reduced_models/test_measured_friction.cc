@@ -2,6 +2,7 @@
 #include "../scene/temporary_folder.h"
 #include "io/files/error.h"
 #include "reduced_models/simulate.h"
+#include "scene/bearing_catalogue.h"
 #include "scene/toml_writer.h"
 #include "scenes.h"
 #include <algorithm>
@@ -67,9 +68,11 @@ TEST(MeasuredFriction, ScaleMultipliesIt) {
   EXPECT_NEAR(simulate(twice).summary.peak_displacement, simulate(s).summary.peak_displacement, 1e-12);
 }
 
+namespace {
+
 /// The signal against the convolution itself, by the rectangle rule with the kernel integrated over each interval.
-TEST(MeasuredFriction, TheSteelTakesTheHeatOfTheFrictionThatActed) {
-  const scene::Scene s = warm();
+/// Between two dishes each face takes half of it, over the way of a face.
+void expect_heat_of_friction(const scene::Scene &s, double radius, double face_share) {
   const auto run = simulate(s);
   const auto &r = run.response;
   const auto &t = r.series("time"), &T = r.series("temperature"), &u = r.series("displacement_x");
@@ -80,14 +83,14 @@ TEST(MeasuredFriction, TheSteelTakesTheHeatOfTheFrictionThatActed) {
     return sum;
   };
   const friction::HeatSink sink;
-  const double area = std::numbers::pi * 0.3 * 0.3,
+  const double area = s.bearing.dishes() * std::numbers::pi * radius * radius,
                c = std::sqrt(sink.diffusivity / std::numbers::pi) / sink.conductivity;
   double warmest = 0;
   for (std::size_t end : {t.size() / 2, t.size() - 1}) {
     double rise = 0;
     for (std::size_t i = 0; i < end; ++i) {
       const double middle = (u[i] + u[i + 1]) / 2, flux = (power(i) + power(i + 1)) / 2 / area;
-      if (!friction::passes_over(std::abs(middle), 0.3)) continue;
+      if (!friction::passes_over(face_share * std::abs(middle), radius)) continue;
       rise += 2 * c * flux * (std::sqrt(t[end] - t[i]) - std::sqrt(t[end] - t[i + 1]));
     }
     EXPECT_NEAR(T[end] - 20, rise, 0.02 * rise + 0.02) << t[end];
@@ -96,6 +99,15 @@ TEST(MeasuredFriction, TheSteelTakesTheHeatOfTheFrictionThatActed) {
   EXPECT_GT(warmest, 3);
   EXPECT_GE(run.summary.extra.at("friction").at("peak_temperature_C").get<double>(), 20 + warmest - 0.5);
   EXPECT_LT(std::abs(run.summary.energy->imbalance_relative()), 1e-6);
+}
+
+} // namespace
+
+TEST(MeasuredFriction, TheSteelTakesTheHeatOfTheFrictionThatActed) {
+  expect_heat_of_friction(warm(), 0.3, 1);
+  scene::Scene two = warm();
+  two.bearing = scene::builtin_bearing("dcfp-155");
+  expect_heat_of_friction(two, 0.3, two.bearing.surface.R0 / two.bearing.ridden_surface().R0);
 }
 
 TEST(MeasuredFriction, WarmSteelRubsLess) {
@@ -118,6 +130,23 @@ TEST(MeasuredFriction, CvodeAgrees) {
   EXPECT_NEAR(own.summary.residual_displacement, other.summary.residual_displacement, 1e-4);
   EXPECT_NEAR(own.summary.extra.at("friction").at("peak_temperature_C").get<double>(),
               other.summary.extra.at("friction").at("peak_temperature_C").get<double>(), 0.05);
+}
+
+/// Friction over speed is the faces', which go R / R_eff as fast as what is carried; each has half the heat.
+TEST(MeasuredFriction, BetweenTwoDishesTheSpeedIsThatOfAFace) {
+  const auto law_of = [](const std::string &bearing) {
+    return scene::sliding_law(scene::load_scene(
+        "ricker-0.78g-1.0s", {"bearing.name=" + bearing, "reduced.mu_slow=0.03", "reduced.rate_s_per_m=20"}));
+  };
+  const friction::FrictionLaw one = law_of("fps-225"), two = law_of("dcfp-155");
+  const double R = 1.55, effective = 2 * R - 0.1, speed = 0.04;
+  EXPECT_EQ(one.faces, 1);
+  EXPECT_EQ(two.faces, 2);
+  const double of_a_face = 0.05 - 0.02 * std::exp(-20 * speed * R / effective);
+  EXPECT_NEAR(two.at({.speed = speed}).value, 2 * R / effective * of_a_face, 1e-12);
+  EXPECT_NEAR(one.at({.speed = speed}).value, 0.07 - 0.04 * std::exp(-20 * speed), 1e-12);
+  const double h = 1e-6, slope = (two.at({.speed = speed + h}).value - two.at({.speed = speed - h}).value) / (2 * h);
+  EXPECT_NEAR(two.at({.speed = speed}).d_speed, slope, 1e-8);
 }
 
 TEST(MeasuredFriction, AFlightCarriesItsHeatOn) {

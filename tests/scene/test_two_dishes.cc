@@ -109,6 +109,20 @@ TEST(TwoDishes, AFileIsReadBackAsItWasWritten) {
   EXPECT_NEAR(again.lateral_capacity(), b.lateral_capacity(), 1e-9);
 }
 
+TEST(TwoDishes, ASliderOfTwoHalvesIsReadBackToo) {
+  const Bearing b = builtin_bearing("lir-dcfp-155");
+  EXPECT_TRUE(b.has_interface());
+  const std::string text = to_toml(b);
+  for (const char *key : {"mu_interface = 0.15", "interface_gap_mm = 30"})
+    EXPECT_NE(text.find(key), std::string::npos) << key << " in: " << text;
+  EXPECT_EQ(to_toml(two_dishes()).find("interface"), std::string::npos);
+  const Scene written = load_scene("impact-window", {"bearing.name=lir-dcfp-155", "model.rung=rigid-dish"});
+  EXPECT_TRUE(written.bearing == b);
+  EXPECT_EQ(to_toml(parse_scene(to_toml(written), "again")), to_toml(written));
+  EXPECT_FALSE(load_scene("impact-window", {"bearing.name=lir-dcfp-155", "bearing.slider.mu_interface=inf"})
+                   .bearing.has_interface());
+}
+
 std::string refusal_of(const std::vector<std::string> &assignments) {
   std::vector<std::string> all{"bearing.name=dcfp-155"};
   all.insert(all.end(), assignments.begin(), assignments.end());
@@ -130,6 +144,9 @@ TEST(TwoDishes, WhatCannotBeBuiltIsRefusedWithBothNumbers) {
   names(refusal_of({"bearing.slider.diameter_mm=620"}), {"slider.diameter_mm 620 mm", "303.35"});
   names(refusal_of({"bearing.slider.edge_radius_mm=150"}), {"slider.edge_radius_mm 150 mm"});
   names(refusal_of({"bearing.rim.height_mm=1.5"}), {"rim.height_mm 1.5 mm"});
+  names(refusal_of({"bearing.slider.mu_interface=0.1", "bearing.slider.interface_gap_mm=150"}),
+        {"slider.interface_gap_mm 150 mm", "150 mm"});
+  EXPECT_EQ(refusal_of({"bearing.slider.mu_interface=0.1", "bearing.slider.interface_gap_mm=149"}), "");
   names(refusal_of({"bearing.surface.kind=cone"}), {"surface.concave \"double\"", "\"sphere\"", "\"cone\""});
   for (const std::string key : {"finite_pad", "socket_friction"})
     names(refusal_of({"reduced." + key + "=true"}), {("reduced." + key).c_str(), "neither pad nor socket"});
@@ -143,6 +160,9 @@ TEST(TwoDishes, KeysOfTheOtherKindOfSliderAreNamed) {
     for (const auto &remark : load_scene("impact-window", assignments).remarks) all += remark + "\n";
     return all;
   };
+  EXPECT_NE(remarked({"bearing.slider.mu_interface=0.1"}).find("bearing.slider.mu_interface is not read"),
+            std::string::npos);
+  EXPECT_NE(remarked({"bearing.name=lir-dcfp-155"}).find("the slider is one piece"), std::string::npos);
   EXPECT_NE(remarked({"bearing.slider.height_mm=90"}).find("bearing.slider.height_mm is not read"), std::string::npos);
   const std::string of_two =
       remarked({"bearing.name=dcfp-155", "bearing.slider.top_mm=150", "bearing.pad.thickness_mm=30",

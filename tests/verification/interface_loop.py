@@ -1,0 +1,95 @@
+#!/usr/bin/env python3
+"""The tested LIR-DCFP specimen of the thesis's appendix B as solids, slowly driven to 185 mm and back: its rims are touched at 175 mm, its
+slider's halves slide 10 mm on one another, so that the other side is touched at 165 mm.
+
+Rung rigid-dish against the rigid bodies (scene lir-dcfp-specimen), whose loop is the closed form: the force while the dishes slide, the force
+while the halves do, W tan(theta + atan mu_s), and where the rims are touched. The interface lies in the slider's middle here, and the rims and
+plates, which the thesis does not draw, are assumed. Runs kept in FOLDER are not repeated. Prints the table, writes it to FOLDER/baseline.txt,
+fails when a gate is missed."""
+import csv
+import math
+import pathlib
+import sys
+
+from kept_run import finish, kept_run
+
+R, HEIGHT, DIAMETER, EDGE, CAPACITY = 0.75, 0.085, 0.140, 0.002, 0.175  # [m]
+WEIGHT, MU, MU_S, AMPLITUDE = 150e3, 0.066, 0.126, 0.185
+FORCE_GATE, HIT_GATE = 0.005, 1e-3  # of the force there, [m]
+
+
+def wall_radius():
+    """At which the rounded edge touches at the capacity: out cos(theta) + down sin(theta) + e."""
+    theta = math.asin(CAPACITY / (2 * R - HEIGHT))
+    out = DIAMETER / 2 - EDGE
+    return out * math.cos(theta) + math.sqrt((R - EDGE) ** 2 - out**2) * math.sin(theta) + EDGE
+
+
+def solid_settings():
+    bearing = {"surface.R0_m": R, "surface.planar_radius_mm": 1e3 * wall_radius(), "slider.diameter_mm": 1e3 * DIAMETER,
+               "slider.height_mm": 1e3 * HEIGHT, "slider.edge_radius_mm": 1e3 * EDGE, "slider.mu_interface": MU_S,
+               "slider.interface_gap_mm": 20, "rim.height_mm": 12, "rim.thickness_mm": 15, "plate.base_mm": 30, "contact.steel_ertalyte": MU}
+    return ["bearing.name=lir-dcfp-155", "load.vertical_kN=150", *(f"bearing.{key}={value}" for key, value in bearing.items())]
+
+
+def rows_of(folder):
+    with open(folder / "response.csv") as file:
+        return [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
+
+
+def ways(rows):
+    """The first way out, and the way from there to the other side."""
+    top = max(range(len(rows)), key=lambda k: rows[k]["ux_m"])
+    bottom = min(range(top, len(rows)), key=lambda k: rows[k]["ux_m"])
+    return rows[: top + 1], rows[top : bottom + 1]
+
+
+def at(rows, travel):
+    """Force that the drive needs at a travel, by its size."""
+    for a, b in zip(rows, rows[1:]):
+        if min(a["ux_m"], b["ux_m"]) <= travel <= max(a["ux_m"], b["ux_m"]) and a["ux_m"] != b["ux_m"]:
+            share = (travel - a["ux_m"]) / (b["ux_m"] - a["ux_m"])
+            return abs(a["Fx_N"] + share * (b["Fx_N"] - a["Fx_N"]))
+    return math.nan
+
+
+def touch(rows, back):
+    """Travel at which the rims are touched: the gap has come to nothing, on the way back after it has opened."""
+    open_yet = not back
+    for a, b in zip(rows, rows[1:]):
+        open_yet = open_yet or b["gap_m"] > 0.01
+        if open_yet and a["gap_m"] > 0 >= b["gap_m"]:
+            return a["ux_m"] + a["gap_m"] / (a["gap_m"] - b["gap_m"]) * (b["ux_m"] - a["ux_m"])
+    return math.nan
+
+
+def main(program, folder, mesh="0"):
+    folder = pathlib.Path(folder)
+    motion = [f"excitation.amplitude_m={AMPLITUDE}", "excitation.cycles=1"]
+    summary = kept_run(program, "run", "static-unidirectional", folder / f"solid_{mesh}",
+                       [*motion, *solid_settings(), f"model.mesh={mesh}", "model.rung=rigid-dish"])
+    kept_run(program, "reduced", "lir-dcfp-specimen", folder / "rigid", motion)
+    solid, rigid = (ways(rows_of(folder / name)) for name in (f"solid_{mesh}", "rigid"))
+    lines, failures = [f"{'figure':34s}    solid    rigid   error"], []
+
+    def compare(name, ours, theirs, error, unit, bound):
+        lines.append(f"{name:34s} {ours:8.2f} {theirs:8.2f} {error:7.2f} {unit}")
+        if not abs(error) < bound:
+            failures.append(f"MISSED {name}: off by {error:.3g} {unit}, not below {bound:g}")
+
+    for back, name in enumerate(("out", "back")):
+        for travel, what in ((0.10, "dishes slide"), (0.150, "dishes slide"), (0.182, "halves slide")):
+            f, r = (at(one[back], -travel if back else travel) for one in (solid, rigid))
+            compare(f"{name} at {1e3 * travel:.0f} mm, {what} [kN]", f / 1e3, r / 1e3, 100 * (f / r - 1), "%", 100 * FORCE_GATE)
+        s, r = (abs(touch(one[back], back)) for one in (solid, rigid))
+        compare(f"{name}, rims touched at [mm]", 1e3 * s, 1e3 * r, 1e3 * (s - r), "mm", 1e3 * HIT_GATE)
+    imbalance = summary["energy"]["imbalance_relative"]
+    lines.append(f"# mesh {mesh}: {summary['n_dofs']} unknowns, {summary['n_steps']} steps, {summary['n_newton_iterations']} Newton iterations, "
+                 f"{summary['cuts']} cuts, {summary['wall_time_s']:.0f} s, imbalance {imbalance:.1e}")
+    if not abs(imbalance) < 1e-3:
+        failures.append(f"MISSED imbalance {imbalance:.1e}")
+    return finish(folder, lines, failures)
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))
