@@ -34,6 +34,9 @@ def _peaks(run: Run, capacity: float | None) -> list[list[str]]:
         rows += [["Hardest: approach, rebound", f"{fixed(impact.get('approach_speed_m_s'), 3)}, {fixed(impact.get('rebound_speed_m_s'), 3)}\u00a0m/s"],
                  ["Hardest: penetration", _unit(scaled(impact.get("peak_penetration_m"), 1e3, 2), "mm")]]
     rows.append([residual_title(s), _unit(scaled(s.get("residual_displacement_m"), 1e3, 1), "mm")])
+    if halves := s.get("interface"):
+        rows.append(["Slip of the slider's halves, largest and left", f"{scaled(halves['largest_interface_slip_m'], 1e3, 1)}, "
+                                                                      f"{scaled(halves['residual_interface_slip_m'], 1e3, 1)}\u00a0mm"])
     if is_number(s.get("max_plastic_strain")):
         rows.append(["Largest plastic strain", percent(s["max_plastic_strain"], 2, False)])
     return [row for row in rows if not row[1].startswith(DASH)]

@@ -20,6 +20,7 @@ LABELS = {
     "rim.connection.strength": "rim's foot, strength of the welds", "rim.connection.correlation": "rim's foot, beta_w of the welds",
     "rim.connection.number": "rim's foot, bolts", "rim.connection.size": "rim's foot, size of the bolts", "rim.connection.grade": "rim's foot, grade of the bolts",
     "rim.connection.circle": "rim's foot, circle of the bolts", "rim.connection.partial_factor": "rim's foot, partial factor", "plate.base": "bottom of the plate below the vertex",
+    "slider.mu_interface": "friction between the slider's halves", "slider.interface_gap": "slip of the slider's halves to their stop",
     "pad.inner_radius": "pad, inner radius", "pad.outer_radius": "pad, outer radius",
     "pad.thickness": "pad, thickness", "pad.recess": "pad, depth in the foot",
     "pad.shape_radius": "pad, radius its face is shaped to", "foot.radius": "foot, radius",

@@ -143,6 +143,15 @@ class Doubts(SmallResults):
         path, _ = build(self.path("runs/window-0.20"))
         self.assertIn(DOUBT, first_page(path)[1])
 
+    def test_the_slip_of_a_sliders_halves_is_a_result(self):
+        self.results()
+        self.assertNotIn("Slip of the slider", first_page(build(self.path("runs/window-0.20"))[0])[1])
+        with open(self.path("runs/window-0.20/summary.json"), encoding="utf-8") as file:
+            summary = json.load(file)
+        summary["interface"] = {"largest_interface_slip_m": 0.0194, "residual_interface_slip_m": 0.0101}
+        self.write("runs/window-0.20/summary.json", json.dumps(summary))
+        self.assertRegex(first_page(build(self.path("runs/window-0.20"))[0])[1], r"Slip of the slider's halves, largest and left\s+19\.4, 10\.1\u00a0mm")
+
     def test_a_run_strained_beyond_its_limit_says_so(self):
         self.results()
         name = self.path("runs/window-0.20/summary.json")
