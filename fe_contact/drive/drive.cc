@@ -25,6 +25,12 @@ void Drive::restore(const Checkpoint &file) {
   steps_at_saving_ = record_.n_steps;
 }
 
+void Drive::stop_for(const std::optional<std::string> &sentence) {
+  if (!sentence) return;
+  save();
+  throw SolverStopped(*sentence);
+}
+
 MarchReport Drive::stretch_to(double start, double end, const StepLimits &limits) {
   MarchReport report = Stepper::march_to(start, end, limits);
   record_.n_cuts += report.cuts;

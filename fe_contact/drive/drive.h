@@ -4,6 +4,8 @@
 #include "fe_contact/drive/run_record.h"
 #include "fe_contact/drive/state_visitor.h"
 #include "fe_contact/drive/stepper.h"
+#include <optional>
+#include <string>
 
 namespace rimpact::fe {
 
@@ -21,6 +23,8 @@ protected:
   /// Writes the checkpoint. The run goes on from it as one does that reads it, to the last bit.
   void save();
   void restore(const Checkpoint &file); ///< throws DataError
+  /// Where there is a sentence: the checkpoint is written and SolverStopped thrown.
+  void stop_for(const std::optional<std::string> &sentence);
   /// The stretch's cuts are the record's.
   MarchReport stretch_to(double start, double end, const StepLimits &limits);
 

@@ -116,10 +116,7 @@ private:
       options_.progress({s, 1.0, step.dt, step.report.iterations, gap(), now.total().head<2>().norm(),
                          now.rim.any() ? Phase::pressing : Phase::sliding});
     if (std::floor(s / part + 1e-9) > std::floor(step.t / part + 1e-9)) write_fields(s);
-    if (const auto stop = stop_of_halves(system_, state_, fmt::format("load parameter {:.4f}", s))) {
-      save();
-      throw SolverStopped(*stop);
-    }
+    stop_for(stop_of_halves(system_, state_, fmt::format("load parameter {:.4f}", s)));
   }
 
   /// In the plate's frame.

@@ -130,14 +130,8 @@ void SlidingRun::follow(const SolvedStep &step) {
   follow_impact(step);
   sample(step.report.iterations, step.dt);
   report_lift();
-  if (const auto sentence = stack_.touching() ? loss_of_balance(record_.ledger, t_) : std::nullopt) {
-    save();
-    throw SolverStopped(*sentence);
-  }
-  if (const auto stop = stop_of_halves(stack_.active(), stack_.state, fmt::format("t = {:.4f} s", t_))) {
-    save();
-    throw SolverStopped(*stop);
-  }
+  if (stack_.touching()) stop_for(loss_of_balance(record_.ledger, t_));
+  stop_for(stop_of_halves(stack_.active(), stack_.state, fmt::format("t = {:.4f} s", t_)));
   if (stack_.near_rim && stack_.touching() && fields_due(t_, step.dt, options_)) write_fields();
   if (options_.progress)
     options_.progress({t_, end_time(), step.dt, step.report.iterations, stack_.gap(),

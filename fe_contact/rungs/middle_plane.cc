@@ -60,13 +60,16 @@ int middle_dof(const BearingModel &model) {
   return static_cast<int>(3 * (model.slips() ? model.space.n_nodes : middle_node(model.space)));
 }
 
+SurfaceContactOptions steel_on_steel(const BearingModel &model, const FrictionCoefficient &mu) {
+  constexpr double stiffer = 16;
+  return penalised(model, model.bearing.steel_of(scene::SteelPart::slider).E, cell, mu, stiffer);
+}
+
 Pair halves_pair(const BearingModel &model) {
-  constexpr double stiffer = 16; // as the faces on the dishes are, see rigid_dish.cc
-  const scene::Bearing &bearing = model.bearing;
-  const double mu = *bearing.slider.mu_interface, side = model.mesh.half ? 1 : -1; // in the half model's plane
+  const double mu = *model.bearing.slider.mu_interface, side = model.mesh.half ? 1 : -1; // in the half model's plane
   const Eigen::Vector3d centre = model.space.positions[middle_node(model.space)];
   Pair pair{Role::interface, Surface::top, plane(centre, Eigen::Vector3d::UnitZ()),
-            penalised(model, bearing.steel_of(scene::SteelPart::slider).E, cell, {mu, mu, 0, {}}, stiffer)};
+            steel_on_steel(model, FrictionCoefficient::constant(mu))};
   pair.options.carrier_faces = Surface::top;
   pair.options.image = OwnImage{centre, {-1, side, -1}, middle_dof(model)};
   return pair;

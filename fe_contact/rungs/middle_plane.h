@@ -18,6 +18,10 @@ void tie_middle_plane(ContactSystem &system, const BearingModel &model);
 /// First of the three dofs of the middle that carries the mass: a node's, or, between halves that slide, a body's of
 /// its own, behind the nodes'.
 int middle_dof(const BearingModel &model);
+/// Faces of a slider between two dishes, on a dish or on one another: steel on steel rings. Multipliers that follow an
+/// oscillating pressure by a step feed it, the less the stiffer. After a hit at 0.1 m/s contact gave back 4.7 % of the
+/// energy with the stiffness of a cell, 0.2 % with 4 times that and 0.1 % with 16 times.
+SurfaceContactOptions steel_on_steel(const BearingModel &model, const FrictionCoefficient &mu);
 /// Between halves that slide: the group `top` on its own image.
 Pair halves_pair(const BearingModel &model);
 

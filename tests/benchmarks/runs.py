@@ -18,6 +18,7 @@ import resource
 import statistics
 import subprocess
 import tempfile
+import time
 from typing import Any
 
 PULSE = ["ricker-0.78g-1.0s", "--set", "excitation.scale=1.05"]
@@ -50,15 +51,26 @@ def one_rank(program: str) -> tuple[str, ...]:
     return ("--ranks", "1") if "--ranks" in known else ()
 
 
+def timed(command: list[str]) -> tuple[float, float]:
+    """Elapsed seconds of a command and those of its processors."""
+    before, start = resource.getrusage(resource.RUSAGE_CHILDREN), time.monotonic()
+    result = subprocess.run(command, capture_output=True, text=True)
+    elapsed, after = time.monotonic() - start, resource.getrusage(resource.RUSAGE_CHILDREN)
+    if result.returncode != 0:
+        raise SystemExit(f"{' '.join(command)}: {(result.stderr.strip() or str(result.returncode)).splitlines()[-1]}")
+    return elapsed, after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime
+
+
+def command_of(program: str, arguments: list[str], folder: str) -> list[str]:
+    """A run's, with nothing drawn and nothing said."""
+    return [program, "run", *arguments, "-o", folder, "--quiet", "--no-fields", "--force"]
+
+
 def run(program: str, arguments: list[str], folder: str) -> dict[str, Any]:
     """The summary of a run on one rank, with its seconds of processor time."""
-    before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    result = subprocess.run([program, "run", *arguments, *one_rank(program), "-o", folder, "--quiet", "--no-fields", "--force"], capture_output=True, text=True)
-    after = resource.getrusage(resource.RUSAGE_CHILDREN)
-    if result.returncode != 0:
-        raise SystemExit(f"{' '.join(arguments)}: {result.stderr.strip().splitlines()[-1]}")
+    _, cpu_s = timed(command_of(program, [*arguments, *one_rank(program)], folder))
     summary: dict[str, Any] = json.loads(pathlib.Path(folder, "summary.json").read_text())
-    summary["cpu_s"] = after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime
+    summary["cpu_s"] = cpu_s
     return summary
 
 
@@ -70,15 +82,20 @@ def rebound(summary: dict[str, Any]) -> float:
 def counts(summary: dict[str, Any]) -> str:
     work = summary.get("solver_work", {})
     return (f"{summary['n_steps']:6d} {summary['n_newton_iterations']:7d} {work.get('linear_iterations', 0):7d} "
-            f"{work.get('factorisations', 0):6d} {summary['cpu_s']:8.1f}")
+            f"{work.get('factorisations', 0):6d}")
+
+
+def answer(summary: dict[str, Any]) -> str:
+    """Peak force [kN], rebound, imbalance."""
+    force = summary.get("peak_impact_force_N") or 0.0
+    return f"{1e-3 * force:9.1f} {rebound(summary):7.4f} {summary['energy']['imbalance_relative']:10.1e}"
 
 
 def line(name: str, summary: dict[str, Any], other: dict[str, Any] | None = None) -> str:
-    force = summary.get("peak_impact_force_N") or 0.0
-    text = f"{name:32s} {summary['n_dofs']:8d} {counts(summary)} {1e-3 * force:9.1f} {rebound(summary):7.4f} {summary['energy']['imbalance_relative']:10.1e}"
+    text = f"{name:32s} {summary['n_dofs']:8d} {counts(summary)} {summary['cpu_s']:8.1f} {answer(summary)}"
     if other:
-        there = other.get("peak_impact_force_N") or 0.0
-        text += (f" | {counts(other)} | {summary['cpu_s'] / other['cpu_s']:6.3f} {100 * (force / there - 1) if there else 0:8.3f} "
+        force, there = (one.get("peak_impact_force_N") or 0.0 for one in (summary, other))
+        text += (f" | {counts(other)} {other['cpu_s']:8.1f} | {summary['cpu_s'] / other['cpu_s']:6.3f} {100 * (force / there - 1) if there else 0:8.3f} "
                  f"{100 * (rebound(summary) / rebound(other) - 1) if rebound(other) else 0:8.3f}")
     return text
 

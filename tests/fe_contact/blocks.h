@@ -5,6 +5,7 @@
 #include "fe_contact/engine/supports.h"
 
 #include <cmath>
+#include <gtest/gtest.h>
 #include <random>
 
 namespace rimpact::fe {
@@ -14,6 +15,42 @@ using meshes::Surface;
 using meshes::Volume;
 
 constexpr double block_modulus = 1e9; ///< [Pa]
+
+/// A contact at dof displacements u by equation, at the end of a step of 1 ms from `state`.
+struct ContactAtU {
+  SurfaceContact &contact;
+  SurfaceContactState &state;
+  const Equations &equations;
+  const Eigen::VectorXd &u;
+  SurfaceContactReport report{};
+  Eigen::VectorXd forces{};
+
+  Eigen::VectorXd forces_at(const Eigen::VectorXd &v, Tangent *tangent = nullptr) {
+    Eigen::VectorXd result = Eigen::VectorXd::Zero(equations.n);
+    report = contact.assemble(equations.expand(v), state, 1e-3, equations, result, tangent);
+    return result;
+  }
+  /// The tangent is the derivative of the forces, where some points stick and others slip. Report and forces are left
+  /// as they are at u.
+  void expect_tangent(std::mt19937 &random) {
+    std::uniform_real_distribution<double> unit(-1, 1);
+    auto couplings = contact.couplings(equations, equations.expand(u), state.opposite);
+    for (int i = 0; i < equations.n; ++i) couplings.push_back({i});
+    TimeSplit times;
+    Tangent tangent(equations.n, couplings, Symmetry::general, times);
+    forces_at(u, &tangent);
+    ASSERT_GT(report.stick, 0);
+    ASSERT_GT(report.slip, 0);
+    for (int trial = 0; trial < 5; ++trial) {
+      Eigen::VectorXd direction(equations.n);
+      for (int i = 0; i < equations.n; ++i) direction[i] = unit(random);
+      const double h = 1e-10;
+      const Eigen::VectorXd expected = (forces_at(u + h * direction) - forces_at(u - h * direction)) / (2 * h);
+      EXPECT_LT((tangent.multiply(direction) - expected).norm(), 1e-5 * expected.norm());
+    }
+    forces = forces_at(u);
+  }
+};
 
 /// A block whose lower face rides on a carried sphere, held by its top; `covers`: where there is a sphere.
 struct Block {

@@ -109,24 +109,8 @@ TEST_P(ImageTangent, IsTheDerivativeOfTheForces) {
     state.start[k] = contact.search().relative_position(k, equations.expand(u), -1);
     state.tangential[k] = 6e6 * Vector3d(unit(random), unit(random), unit(random));
   }
-  auto couplings = contact.couplings(equations, equations.expand(u), state.opposite);
-  for (int i = 0; i < equations.n; ++i) couplings.push_back({i});
-  TimeSplit times;
-  Tangent tangent(equations.n, couplings, Symmetry::general, times);
-  Eigen::VectorXd forces = Eigen::VectorXd::Zero(equations.n);
-  const auto report = contact.assemble(equations.expand(u), state, 1e-3, equations, forces, &tangent);
-  ASSERT_GT(report.stick, 0);
-  ASSERT_GT(report.slip, 0);
-  for (int trial = 0; trial < 5; ++trial) {
-    Eigen::VectorXd direction(equations.n);
-    for (int i = 0; i < equations.n; ++i) direction[i] = unit(random);
-    const double h = 1e-10;
-    Eigen::VectorXd up = Eigen::VectorXd::Zero(equations.n), down = up;
-    contact.assemble(equations.expand(u + h * direction), state, 1e-3, equations, up, nullptr);
-    contact.assemble(equations.expand(u - h * direction), state, 1e-3, equations, down, nullptr);
-    const Eigen::VectorXd expected = (up - down) / (2 * h);
-    EXPECT_LT((tangent.multiply(direction) - expected).norm(), 1e-5 * expected.norm());
-  }
+  ContactAtU here{contact, state, equations, u};
+  ASSERT_NO_FATAL_FAILURE(here.expect_tangent(random));
 }
 INSTANTIATE_TEST_SUITE_P(HalfAndDegree, ImageTangent, ::testing::Combine(::testing::Bool(), ::testing::Values(1, 2)));
 

@@ -22,28 +22,11 @@ TEST_P(ContactTangent, IsTheDerivativeOfTheForcesWhereSomePointsStickAndOthersSl
   for (int i = 0; i < 3; ++i) u[block.carrier_equations[i]] = i == 2 ? 3e-4 : 5e-5;
   for (auto &multiplier : state.tangential) multiplier = 3e5 * Vector3d(unit(random), unit(random), unit(random));
 
-  auto couplings = contact.couplings(equations, equations.expand(u), state.opposite);
-  for (int i = 0; i < equations.n; ++i) couplings.push_back({i});
-  TimeSplit times;
-  Tangent tangent(equations.n, couplings, Symmetry::general, times);
-  Eigen::VectorXd forces = Eigen::VectorXd::Zero(equations.n);
-  const auto report = contact.assemble(equations.expand(u), state, 1e-3, equations, forces, &tangent);
-  ASSERT_GT(report.stick, 0);
-  ASSERT_GT(report.slip, 0);
-  for (int trial = 0; trial < 5; ++trial) {
-    Eigen::VectorXd direction(equations.n);
-    for (int i = 0; i < equations.n; ++i) direction[i] = unit(random);
-    const double h = 1e-10;
-    Eigen::VectorXd up = Eigen::VectorXd::Zero(equations.n), down = up;
-    contact.assemble(equations.expand(u + h * direction), state, 1e-3, equations, up, nullptr);
-    contact.assemble(equations.expand(u - h * direction), state, 1e-3, equations, down, nullptr);
-    const Eigen::VectorXd expected = (up - down) / (2 * h);
-    EXPECT_LT((tangent.multiply(direction) - expected).norm(), 1e-5 * expected.norm());
-  }
+  ContactAtU here{contact, state, equations, u};
+  ASSERT_NO_FATAL_FAILURE(here.expect_tangent(random));
   // What the body gets the carrier gives.
-  Vector3d on_carrier, on_body = report.force;
-  for (int i = 0; i < 3; ++i) on_carrier[i] = -forces[block.carrier_equations[i]];
-  contact.assemble(equations.expand(u), state, 1e-3, equations, forces, nullptr);
+  Vector3d on_carrier, on_body = here.report.force;
+  for (int i = 0; i < 3; ++i) on_carrier[i] = -here.forces[block.carrier_equations[i]];
   EXPECT_LT((on_carrier + on_body).norm(), 1e-9 * on_body.norm());
 }
 INSTANTIATE_TEST_SUITE_P(DegreeAndRate, ContactTangent,

@@ -6,12 +6,13 @@ Rung rigid-dish against the rigid bodies (scene lir-dcfp-specimen), whose loop i
 while the halves do, W tan(theta + atan mu_s), and where the rims are touched. The interface lies in the slider's middle here, and the rims and
 plates, which the thesis does not draw, are assumed. Runs kept in FOLDER are not repeated. Prints the table, writes it to FOLDER/baseline.txt,
 fails when a gate is missed."""
-import csv
+import itertools
 import math
 import pathlib
 import sys
 
 from kept_run import finish, kept_run
+from static_loops import at, branch, rows_of
 
 R, HEIGHT, DIAMETER, EDGE, CAPACITY = 0.75, 0.085, 0.140, 0.002, 0.175  # [m]
 WEIGHT, MU, MU_S, AMPLITUDE = 150e3, 0.066, 0.126, 0.185
@@ -32,34 +33,13 @@ def solid_settings():
     return ["bearing.name=lir-dcfp-155", "load.vertical_kN=150", *(f"bearing.{key}={value}" for key, value in bearing.items())]
 
 
-def rows_of(folder):
-    with open(folder / "response.csv") as file:
-        return [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
-
-
-def ways(rows):
-    """The first way out, and the way from there to the other side."""
-    top = max(range(len(rows)), key=lambda k: rows[k]["ux_m"])
-    bottom = min(range(top, len(rows)), key=lambda k: rows[k]["ux_m"])
-    return rows[: top + 1], rows[top : bottom + 1]
-
-
-def at(rows, travel):
-    """Force that the drive needs at a travel, by its size."""
-    for a, b in zip(rows, rows[1:]):
-        if min(a["ux_m"], b["ux_m"]) <= travel <= max(a["ux_m"], b["ux_m"]) and a["ux_m"] != b["ux_m"]:
-            share = (travel - a["ux_m"]) / (b["ux_m"] - a["ux_m"])
-            return abs(a["Fx_N"] + share * (b["Fx_N"] - a["Fx_N"]))
-    return math.nan
-
-
 def touch(rows, back):
     """Travel at which the rims are touched: the gap has come to nothing, on the way back after it has opened."""
     open_yet = not back
-    for a, b in zip(rows, rows[1:]):
-        open_yet = open_yet or b["gap_m"] > 0.01
-        if open_yet and a["gap_m"] > 0 >= b["gap_m"]:
-            return a["ux_m"] + a["gap_m"] / (a["gap_m"] - b["gap_m"]) * (b["ux_m"] - a["ux_m"])
+    for (u, _, gap), (next_u, _, next_gap) in itertools.pairwise(rows[::-1] if back else rows):
+        open_yet = open_yet or next_gap > 0.01
+        if open_yet and gap > 0 >= next_gap:
+            return u + gap / (gap - next_gap) * (next_u - u)
     return math.nan
 
 
@@ -69,7 +49,7 @@ def main(program, folder, mesh="0"):
     summary = kept_run(program, "run", "static-unidirectional", folder / f"solid_{mesh}",
                        [*motion, *solid_settings(), f"model.mesh={mesh}", "model.rung=rigid-dish"])
     kept_run(program, "reduced", "lir-dcfp-specimen", folder / "rigid", motion)
-    solid, rigid = (ways(rows_of(folder / name)) for name in (f"solid_{mesh}", "rigid"))
+    loops = [rows_of(folder / name, ("ux_m", "Fx_N", "gap_m")) for name in (f"solid_{mesh}", "rigid")]
     lines, failures = [f"{'figure':34s}    solid    rigid   error"], []
 
     def compare(name, ours, theirs, error, unit, bound):
@@ -77,11 +57,12 @@ def main(program, folder, mesh="0"):
         if not abs(error) < bound:
             failures.append(f"MISSED {name}: off by {error:.3g} {unit}, not below {bound:g}")
 
-    for back, name in enumerate(("out", "back")):
+    for back, name in ((False, "out"), (True, "back")):
+        solid, rigid = (branch(rows, back) for rows in loops)
         for travel, what in ((0.10, "dishes slide"), (0.150, "dishes slide"), (0.182, "halves slide")):
-            f, r = (at(one[back], -travel if back else travel) for one in (solid, rigid))
+            f, r = (abs(at(way, -travel if back else travel, 1)) for way in (solid, rigid))
             compare(f"{name} at {1e3 * travel:.0f} mm, {what} [kN]", f / 1e3, r / 1e3, 100 * (f / r - 1), "%", 100 * FORCE_GATE)
-        s, r = (abs(touch(one[back], back)) for one in (solid, rigid))
+        s, r = (abs(touch(way, back)) for way in (solid, rigid))
         compare(f"{name}, rims touched at [mm]", 1e3 * s, 1e3 * r, 1e3 * (s - r), "mm", 1e3 * HIT_GATE)
     imbalance = summary["energy"]["imbalance_relative"]
     lines.append(f"# mesh {mesh}: {summary['n_dofs']} unknowns, {summary['n_steps']} steps, {summary['n_newton_iterations']} Newton iterations, "

@@ -26,11 +26,14 @@ CASES = {  # name: (settings of both, settings of the closed form, gate on force
 }
 
 
+def rows_of(folder, columns):
+    with open(folder / "response.csv") as file:
+        return [[float(row[key]) for key in columns] for row in csv.DictReader(file)]
+
+
 def loop(program, verb, folder, end, settings):
     summary = kept_run(program, verb, "static-unidirectional", folder, [f"excitation.amplitude_m={end}", *settings])
-    with open(folder / "response.csv") as file:
-        rows = [[float(row[key]) for key in ("ux_m", "Fx_N", "uz_m")] for row in csv.DictReader(file)]
-    return rows, summary
+    return rows_of(folder, ("ux_m", "Fx_N", "uz_m")), summary
 
 
 def branch(rows, back):

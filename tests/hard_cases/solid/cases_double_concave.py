@@ -20,6 +20,19 @@ def friction(mu):
     return [f"reduced.mu_fast={mu}", f"reduced.mu_slow={mu}", f"bearing.contact.steel_ertalyte={mu}"]
 
 
+def of_shape_and_solver(window):
+    """Cases of the slider's edge, the rim, and what the solver may choose, by either rung's window."""
+    return [
+        ("edge rounded by 0.5 mm", True, window(0.2, "bearing.slider.edge_radius_mm=0.5"), 0, impacts(1)),
+        ("edge rounded by 6 mm", True, window(0.2, "bearing.slider.edge_radius_mm=6"), 0, impacts(1)),
+        ("a ledge of 10 mm", True, window(0.2, "bearing.rim.ledge_mm=10"), 0, impacts(1)),
+        ("rim 60 mm thick", True, window(0.2, "bearing.rim.thickness_mm=60"), 0, impacts(1)),
+        ("penalty x 0.1", True, window(0.2, "model.penalty_scale=0.1"), 0, close_to(BASE, 0.02)),
+        ("penalty x 10", True, window(0.2, "model.penalty_scale=10"), 0, close_to(BASE, 0.02)),
+        ("rho_inf 1", True, window(0.2, "model.rho_inf=1"), 0, close_to(BASE, 0.02)),
+    ]
+
+
 def cases(program, folder):
     return [
         (BASE, True, window(0.2), 0, impacts(1)),
@@ -34,13 +47,7 @@ def cases(program, folder):
         ("mu 0.2, weight", True, window(0.2, WEIGHT, *friction(0.2)), 0, impacts(1)),
         ("friction of the walls 0.2", True, window(0.2, "bearing.contact.rim=0.2"), 0, impacts(1)),
         ("uplift, W / 20", True, window(0.4, 'excitation.with=["weight"]', "load.vertical_kN=43", "load.mass_kg=86952"), 0, impacts(1)),
-        ("edge rounded by 0.5 mm", True, window(0.2, "bearing.slider.edge_radius_mm=0.5"), 0, impacts(1)),
-        ("edge rounded by 6 mm", True, window(0.2, "bearing.slider.edge_radius_mm=6"), 0, impacts(1)),
-        ("a ledge of 10 mm", True, window(0.2, "bearing.rim.ledge_mm=10"), 0, impacts(1)),
-        ("rim 60 mm thick", True, window(0.2, "bearing.rim.thickness_mm=60"), 0, impacts(1)),
-        ("penalty x 0.1", True, window(0.2, "model.penalty_scale=0.1"), 0, close_to(BASE, 0.02)),
-        ("penalty x 10", True, window(0.2, "model.penalty_scale=10"), 0, close_to(BASE, 0.02)),
-        ("rho_inf 1", True, window(0.2, "model.rho_inf=1"), 0, close_to(BASE, 0.02)),
+        *of_shape_and_solver(window),
         ("terms of a pad", True, window(0.2, "reduced.finite_pad=true"), 2, None),
     ]
 
