@@ -3,7 +3,10 @@
 #include "io/files/error.h"
 #include "io/files/text.h"
 #include "scene/assumptions.h"
+#include "scene/isolator_catalogue.h"
+#include "scene/triple_pendulum.h"
 #include <array>
+#include <cmath>
 
 namespace rimpact::scene {
 namespace {
@@ -46,7 +49,7 @@ Bearing shfps_appendix_a() {
   b.surface.R0 = 0.75;
   b.surface.a = 0.18;
   b.surface.planar_radius = 0.135;
-  b.slider = {.diameter = 0.080, .bottom = 0.019, .top = 0.060, .edge_radius = 0.002};
+  b.slider.diameter = 0.080, b.slider.bottom = 0.019, b.slider.top = 0.060, b.slider.edge_radius = 0.002;
   b.rim.height = 0.025;
   b.rim.thickness = 0.020;
   b.plate.base = 0.025;
@@ -82,15 +85,55 @@ Bearing lir_dcfp_155() {
   return b;
 }
 
+/// [m], as a drawing gives it.
+double to_the_micrometre(double metres) {
+  return std::round(1e6 * metres) / 1e6;
+}
+
+/// Two like faces of a triple pendulum with all that lies between them as one slider. Its rims' thickness, what is
+/// below the dish and the rounding of the edge are assumed, and so are R and h, which share the published R_eff.
+Bearing stop_of(const TripleFace &face, double mu, double rim_thickness, double base) {
+  Bearing b = dcfp_155();
+  const double edge = 0.005, out = face.half - edge, down = std::sqrt(std::pow(face.radius - edge, 2) - out * out);
+  b.slider.diameter = 2 * face.half, b.slider.height = 2 * face.height, b.slider.edge_radius = edge;
+  b.surface.R0 = b.surface.a = face.radius;
+  const double wall = out * std::cos(face.tilt()) + down * std::sin(face.tilt()) + edge; // where the edge touches
+  b.surface.planar_radius = to_the_micrometre(wall);
+  b.rim.height = face.rim_height, b.rim.thickness = rim_thickness, b.plate.base = base;
+  b.contact.steel_ertalyte = mu;
+  b.assumed.keys = {"surface.R0_m", "surface.planar_radius_mm", "slider.height_mm"};
+  return b;
+}
+
+/// The stops of tfp-kim-2023: slide plates against the plates' rims.
+Bearing kim_outer() {
+  Bearing b = stop_of(triple_faces(builtin_isolator("tfp-kim-2023"))[0], 0.04, 0.040, 0.060);
+  b.name = "tfp-kim-2023-outer";
+  return b;
+}
+
+/// The inner slider against the rims of the slide plates, which reach to the slide plates' edges.
+Bearing kim_inner() {
+  const auto faces = triple_faces(builtin_isolator("tfp-kim-2023"));
+  Bearing b = stop_of(faces[1], 0.01, 0.015, to_the_micrometre(faces[0].height - faces[1].height));
+  b.name = "tfp-kim-2023-inner";
+  return b;
+}
+
 struct Entry {
   const char *name;
   Bearing (*make)();
 };
 // The catalogue: one line a bearing.
 constexpr std::array catalogue{
-    Entry{"shfps-225", shfps_225}, Entry{"shfps-225-b", shfps_225_b},
-    Entry{"fps-225", fps_225},     Entry{"shfps-appendix-a", shfps_appendix_a},
-    Entry{"dcfp-155", dcfp_155},   Entry{"lir-dcfp-155", lir_dcfp_155},
+    Entry{"shfps-225", shfps_225},
+    Entry{"shfps-225-b", shfps_225_b},
+    Entry{"fps-225", fps_225},
+    Entry{"shfps-appendix-a", shfps_appendix_a},
+    Entry{"dcfp-155", dcfp_155},
+    Entry{"lir-dcfp-155", lir_dcfp_155},
+    Entry{"tfp-kim-2023-outer", kim_outer},
+    Entry{"tfp-kim-2023-inner", kim_inner},
 };
 
 } // namespace
@@ -106,7 +149,7 @@ Bearing builtin_bearing(const std::string &name) {
   for (const auto &entry : catalogue)
     if (name == entry.name) {
       Bearing bearing = entry.make();
-      bearing.assumed = catalogue_marks();
+      bearing.assumed.keys.merge(catalogue_marks().keys);
       return bearing;
     }
   throw InputError("bearing " + unknown_word(name, builtin_bearing_names()));

@@ -4,7 +4,7 @@
 
 namespace rimpact::scene {
 
-/// Built-in bearings: shfps-225 (default) and fps-225 (a = R0). Throws InputError with the nearest name.
+/// Built-in bearings: shfps-225 is the default. Throws InputError with the nearest name.
 Bearing builtin_bearing(const std::string &name);
 std::vector<std::string> builtin_bearing_names();
 

@@ -35,6 +35,7 @@ void check_materials(const Bearing &b) {
 
 /// Between two dishes: a face is shaped to its dish, and the slider's edge comes to the wall before the dishes end.
 void check_two_dishes(const Bearing &b) {
+  constexpr double drawn = 1e-3; // what rounded figures may leave [m]
   const auto &s = b.slider;
   const double R = b.surface.R0, radius = s.diameter / 2, wall = b.wall_radius();
   require(b.surface.kind == SurfaceKind::sphere, "surface.concave \"{}\" needs surface.kind \"{}\", not \"{}\"",
@@ -51,6 +52,10 @@ void check_two_dishes(const Bearing &b) {
       "slider.height_mm {} mm must exceed {:.5g} mm: its two faces rise by {:.4g} mm each, and its edges are rounded "
       "by {} mm",
       mm(s.height), 2e3 * (face + s.edge_radius), 1e3 * face, mm(s.edge_radius));
+  require(2 * rim_top(b) <= s.height + drawn,
+          "rim.height_mm {} mm: at rest the rims of the two plates would lie in one another by {:.3g} mm; "
+          "slider.height_mm must be {:.5g} mm or more",
+          mm(b.rim.height), 1e3 * (2 * rim_top(b) - s.height), 2e3 * rim_top(b));
   require(s.interface_gap < radius || !s.mu_interface,
           "slider.interface_gap_mm {} mm must be below the slider's radius {} mm: its halves would leave one another",
           mm(s.interface_gap), mm(radius));

@@ -1,4 +1,5 @@
 #include "scene/doubts.h"
+#include "scene/isolator_doubts.h"
 #include "scene/record_doubts.h"
 #include "scene/steel_doubts.h"
 
@@ -119,7 +120,9 @@ std::vector<std::string> doubts(const Scene &scene, bool load_is_read) {
                                 scene.excitation.impact_speed()));
   doubt_records(scene, found);
   doubt_materials(scene.bearing, found);
-  if (!scene.rigid_bodies()) {
+  if (scene.rigid_bodies())
+    for (auto &doubt : doubts_of_isolator(scene.isolator, scene.reduced.model)) found.push_back(std::move(doubt));
+  else {
     for (auto &doubt : doubts_of_grade(scene.bearing)) found.push_back(std::move(doubt));
     doubt_sizes(scene.bearing, found);
   }

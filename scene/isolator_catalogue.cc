@@ -1,6 +1,7 @@
 #include "scene/isolator_catalogue.h"
 #include "io/files/error.h"
 #include "io/files/text.h"
+#include "scene/bearing_catalogue.h"
 #include <array>
 #include <fmt/format.h>
 
@@ -21,16 +22,16 @@ Isolator fenz_2008() {
 }
 
 /// Configuration A of Kim and Constantinou: R_eff 3.7465 and 0.3937 m, travels of the pivot 0.5043 and 0.0716 m, slide
-/// plates of 711 mm, inner slider of 508 mm. R = 156 and 20 inches are assumed; h = R - R_eff and d, the travel of the
-/// pivot times R / R_eff, follow from them.
+/// plates of 711 mm, inner slider of 508 mm. R = 156 and 22 inches are assumed; h = R - R_eff and d, the travel of the
+/// pivot times R / R_eff, follow from them: 21 and 4 inches. With 20 inches the slide plates would lie in one another.
 Isolator kim_2023() {
   Isolator b;
   b.radius = 3.9624, b.bottom_height = b.top_height = 0.2159, b.travel = 0.53336, b.slider_diameter = 0.711;
-  b.inner = {.radius = 0.508,
-             .bottom_height = 0.1143,
-             .top_height = 0.1143,
+  b.inner = {.radius = 0.5588,
+             .bottom_height = 0.1651,
+             .top_height = 0.1651,
              .diameter = 0.508,
-             .travel = 0.092387,
+             .travel = 0.1016,
              .rim_height = 0.030,
              .mass = 350};
   b.mu_of = FrictionOf::loops;
@@ -65,6 +66,15 @@ const IsolatorEntry &named_isolator(const std::string &name) {
   throw InputError("isolator " + unknown_word(name, builtin_isolator_names()));
 }
 
+/// Where its stops are bearings of the catalogue, their names.
+std::string stops_of(const std::string &name) {
+  std::string said;
+  for (const auto &bearing : builtin_bearing_names())
+    if (bearing.starts_with(name))
+      said += (said.empty() ? "; as solids its stops are the bearings " : " and ") + bearing;
+  return said;
+}
+
 } // namespace
 
 std::vector<std::string> builtin_isolator_names() {
@@ -84,8 +94,8 @@ void refuse_isolator(const std::string &where) {
   for (const auto &entry : isolators)
     if (where == entry.name)
       throw InputError(fmt::format("{0} is a triple friction pendulum, which only a scene names: isolator.name = "
-                                   "\"{0}\" beside reduced.model = \"tfp\", as in tfp-pulse",
-                                   where));
+                                   "\"{0}\" beside reduced.model = \"tfp\", as in tfp-pulse{1}",
+                                   where, stops_of(where)));
 }
 
 std::string isolator_source(const std::string &name) {

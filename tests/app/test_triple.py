@@ -91,7 +91,7 @@ class Runs(Scratch):
         words = ("compare", f"{self.folder}/one", f"{self.folder}/other", "-o", self.folder + "/compared")
         apart = rimpact(*words)
         self.assertEqual(apart.returncode, 2)
-        self.assertIn("isolator.inner.travel_mm (92.387 against 80)", apart.stderr)
+        self.assertIn("isolator.inner.travel_mm (101.6 against 80)", apart.stderr)
         self.assertIn("isolator.inner.travel_mm", self.done(*words, "--anyway"))
 
     def test_a_building_by_name_and_its_fleet(self) -> None:

@@ -1,6 +1,8 @@
 #include "scene/bearing_catalogue.h"
 #include "scene/doubts.h"
 #include "scene/element_doubts.h"
+#include "scene/isolator_catalogue.h"
+#include "scene/isolator_doubts.h"
 #include "scene/rim_identity.h"
 #include "temporary_folder.h"
 #include <functional>
@@ -174,6 +176,31 @@ TEST(Doubts, RecordsThatBelongToAnotherAxis) {
             std::string::npos);
   ASSERT_EQ(of(along, across, other_up).size(), 2u);
   EXPECT_NE(of(along, "", other_up)[0].find("excitation.x and excitation.z are of two stations"), std::string::npos);
+}
+
+/// Plates clear one another at rest; bearings that we assumed numbers of do.
+TEST(Doubts, RimsThatLieInOneAnotherAtRestAreNoticed) {
+  EXPECT_TRUE(doubts_of_isolator({}, ModelKind::dcfp).empty());
+  EXPECT_TRUE(doubts_of_isolator({}, ModelKind::lir_dcfp).empty());
+  for (const auto &name : builtin_isolator_names())
+    EXPECT_TRUE(doubts_of_isolator(builtin_isolator(name), ModelKind::tfp).empty()) << name;
+
+  Scene s; // the thesis's chapter 4, T_b = 3 s
+  s.reduced.model = ModelKind::dcfp;
+  s.isolator.radius = 1.175, s.isolator.capacity = 0.41;
+  ASSERT_EQ(doubts(s).size(), 1u);
+  EXPECT_NE(doubts(s)[0].find("isolator.rim_height_mm = 20: at rest the rims of the two plates lie in one another by "
+                              "52.9 mm, and the edges of their dishes by 12.9 mm. No bearing"),
+            std::string::npos)
+      << doubts(s)[0];
+
+  auto triple = builtin_isolator("tfp-kim-2023"); // the same effective radius and travel of the pivot
+  triple.inner.radius = 0.508, triple.inner.bottom_height = triple.inner.top_height = 0.1143;
+  triple.inner.travel = 0.092387;
+  ASSERT_EQ(doubts_of_isolator(triple, ModelKind::tfp).size(), 1u);
+  EXPECT_NE(doubts_of_isolator(triple, ModelKind::tfp)[0].find("inner.rim_height_mm = 30: at rest the rims of the two "
+                                                               "slide plates"),
+            std::string::npos);
 }
 
 } // namespace

@@ -1,8 +1,10 @@
 // A slider between two like dishes: capacity, tilt and mass against searches and sums of their own; keys; refusals.
-#include "io/files/error.h"
+#include "expect_error.h"
 #include "scene/bearing_catalogue.h"
+#include "scene/isolator_catalogue.h"
 #include "scene/scene.h"
 #include "scene/toml_writer.h"
+#include "scene/triple_pendulum.h"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
@@ -47,6 +49,31 @@ TEST(TwoDishes, TheEdgeMeetsTheWallAtTheCapacity) {
       EXPECT_NEAR(C, (2 * b.surface.R0 - b.slider.height) * std::sin(theta), 1e-12);
     }
   EXPECT_NEAR(two_dishes().lateral_capacity(), 0.300, 1e-5) << "the thesis's C_t";
+}
+
+/// As solids the rims of two faces of a triple pendulum are touched where its rigid bodies touch them.
+TEST(TwoDishes, TheStopsOfATriplePendulumAreTouchedAtItsFacesTravel) {
+  const auto faces = triple_faces(builtin_isolator("tfp-kim-2023"));
+  for (const auto &[name, face] : {std::pair{"tfp-kim-2023-outer", faces[0]}, {"tfp-kim-2023-inner", faces[1]}}) {
+    const Bearing b = builtin_bearing(name);
+    EXPECT_NEAR(b.lateral_capacity(), 2 * face.effective_radius() * face.travel / face.radius, 3e-6) << name;
+    EXPECT_NEAR(reach(outline(b), face.tilt()), b.wall_radius(), 1e-6) << name;
+    EXPECT_EQ(b.assumed.keys.count("surface.R0_m"), 1u) << name;
+    EXPECT_EQ(b.assumed.keys.count("rim.thickness_mm"), 1u) << name;
+  }
+  const Bearing inner = builtin_bearing("tfp-kim-2023-inner");
+  EXPECT_LT(inner.wall_radius() + inner.rim.thickness, builtin_isolator("tfp-kim-2023").slider_diameter / 2);
+}
+
+TEST(TwoDishes, RimsThatLieInOneAnotherAtRestAreRefused) {
+  Bearing b = two_dishes();
+  b.rim.height = 0.0205;
+  EXPECT_NO_THROW(b.validate_rim());
+  b.rim.height = 0.022;
+  expect_error<InputError>([&] { b.validate_rim(); },
+                           {"rim.height_mm 22 mm", "in one another by 3.95 mm", "103.95 mm or more"});
+  b.slider.height = 0.104;
+  EXPECT_NO_THROW(b.validate_rim());
 }
 
 TEST(TwoDishes, ASharpEdgeGivesTheRigidModelsRim) {

@@ -15,9 +15,9 @@ except ImportError:
     print("skipped: SciPy is not installed")
     sys.exit(77)
 
-G, MASS, AMPLITUDE, PERIOD, CENTRE, END = 9.81, 13345e3 / 9.81, 0.375, 2.4, 4.8, 6.5
-R, H = (3.9624, 0.508, 0.508, 3.9624), (0.2159, 0.1143, 0.1143, 0.2159)  # [m], from the ground up
-HALF, TRAVEL = (0.3555, 0.254, 0.254, 0.3555), (0.53336, 0.092387, 0.092387, 0.53336)
+G, MASS, AMPLITUDE, PERIOD, CENTRE, END = 9.81, 13345e3 / 9.81, 0.372, 2.4, 4.8, 6.5
+R, H = (3.9624, 0.5588, 0.5588, 3.9624), (0.2159, 0.1651, 0.1651, 0.2159)  # [m], from the ground up
+HALF, TRAVEL = (0.3555, 0.254, 0.254, 0.3555), (0.53336, 0.1016, 0.1016, 0.53336)
 MU = (0.04, 0.012, 0.012, 0.06)  # of the faces
 SLIDERS = ((320.0, 0.711, H[0] - H[1]), (350.0, 0.508, H[1] + H[2]), (320.0, 0.711, H[3] - H[2]))  # mass, diameter, height
 K_RIM, E, AT, SPEED = 1e9, 0.65, 0.4, 2e-5  # the rim's law; speed [m/s] below which friction is smoothed
