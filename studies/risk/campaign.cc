@@ -12,6 +12,17 @@ double now() {
 
 } // namespace
 
+void Pace::add(const fleets::FleetResult &system) {
+  if (system.kept == system.total) return;
+  seconds_ += system.seconds, made_ += system.total - system.kept;
+}
+
+double Pace::seconds_a_run(const fleets::FleetProgress &at_hand) const {
+  if (made_ > 0) return seconds_ / static_cast<double>(made_);
+  const std::size_t left = at_hand.total - at_hand.done;
+  return left > 0 ? at_hand.seconds_left / static_cast<double>(left) : 0;
+}
+
 std::string folder_of_system(const std::string &folder, std::size_t system) {
   return fmt::format("{}/systems/{:04}", folder, system + 1);
 }
@@ -31,8 +42,7 @@ CampaignResult run_campaign(const Study &study, const Systems &systems, const Mo
   const auto parts = parts_of_shard(systems.size(), options.shard, options.n_shards);
   CampaignResult result;
   const double start = now();
-  double spent = 0; // on runs made now
-  std::size_t made = 0;
+  Pace pace;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const Part &part = parts[i];
     const fleets::Sweep sweep = runs_of(study, systems, part.system, motions);
@@ -46,14 +56,12 @@ CampaignResult run_campaign(const Study &study, const Systems &systems, const Mo
     fleet.remark = options.remark;
     if (options.progress)
       fleet.progress = [&](const fleets::FleetProgress &runs) {
-        const double each = made > 0 ? spent / static_cast<double>(made)
-                                     : (runs.seconds + runs.seconds_left) / static_cast<double>(runs.total);
-        const double others = each * static_cast<double>(runs.total * (parts.size() - i - 1));
+        const double others = pace.seconds_a_run(runs) * static_cast<double>(runs.total * (parts.size() - i - 1));
         options.progress({i + 1, parts.size(), runs, now() - start, runs.seconds_left + others});
       };
     std::filesystem::create_directories(fleet.folder);
     const auto done = fleets::run_fleet(study.scene, systems.all[part.system].overrides, sweep, fleet);
-    spent += done.seconds, made += done.total - done.kept;
+    pace.add(done);
     ++result.systems, result.runs += done.total, result.kept += done.kept;
     result.without_result += done.refused + done.failed;
   }

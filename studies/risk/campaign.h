@@ -11,6 +11,19 @@ struct CampaignProgress {
   double seconds = 0, seconds_left = 0;  ///< of all systems of this call
 };
 
+/// How long a run takes, by those made in this call: rows that are kept are read in no time.
+class Pace {
+public:
+  /// A system that is done.
+  void add(const fleets::FleetResult &system);
+  /// Seconds a run; before one is made, by the system at hand.
+  double seconds_a_run(const fleets::FleetProgress &at_hand) const;
+
+private:
+  double seconds_ = 0;
+  std::size_t made_ = 0;
+};
+
 struct CampaignOptions {
   std::string folder;
   int shard = 1, n_shards = 1; ///< see part_of_shard

@@ -47,6 +47,17 @@ TEST(Campaign, PartsCoverEverythingOnce) {
   }
 }
 
+/// After a resumption most systems are kept, and the one at hand in part: they do not shorten what is to go.
+TEST(Campaign, KeptRunsDoNotCountInThePace) {
+  Pace pace;
+  for (int system = 0; system < 200; ++system) pace.add({.total = 155, .kept = 155, .seconds = 0.2});
+  EXPECT_NEAR(pace.seconds_a_run({.done = 85, .total = 155, .failed = 0, .seconds = 0.5, .seconds_left = 7}), 0.1,
+              1e-12);
+  pace.add({.total = 155, .kept = 80, .seconds = 7.5});
+  EXPECT_NEAR(pace.seconds_a_run({.done = 155, .total = 155, .failed = 0, .seconds = 1, .seconds_left = 0}), 0.1,
+              1e-12);
+}
+
 TEST(Campaign, FromFileToTables) {
   const Small small;
   const auto done = small.run();
