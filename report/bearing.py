@@ -39,6 +39,7 @@ class TwoDishes:
     def __init__(self, bearing: dict[str, Any]) -> None:
         self.R, diameter, self.height = (value(bearing, part, key) or 0.0 for part, key in self.KEYS)
         self.radius = diameter / 2
+        self.halves = value(bearing, "slider", "mu_interface") is not None
 
     def tilt_at(self, travel: float) -> float:
         """At a travel of what is carried [rad], which rides a sphere of R_eff = 2 R - H (3-94)."""
@@ -49,13 +50,14 @@ class TwoDishes:
         arm, tilt = self.R - self.height / 2, self.tilt_at(travel)
         return np.array([arm * np.sin(tilt), self.R - arm * np.cos(tilt)])
 
-    def slider(self, travel: float) -> np.ndarray:
-        """Its outline (n, 2), tilted."""
+    def slider(self, travel: float) -> list[np.ndarray]:
+        """Outlines (n, 2) of what it is made of, tilted: of one piece, or of its two halves on one another."""
         x = np.linspace(-self.radius, self.radius, 81)
         face = self.R - np.sqrt(self.R ** 2 - x ** 2) - self.height / 2  # from the middle
-        outline = np.vstack([np.column_stack([x, face]), np.column_stack([x, -face])[::-1]])
+        low, high, plane = np.column_stack([x, face]), np.column_stack([x, -face]), np.column_stack([x[::80], [0, 0]])
+        pieces = [(low, plane), (plane, high)] if self.halves else [(low, high)]
         c, s = np.cos(self.tilt_at(travel)), np.sin(self.tilt_at(travel))
-        return outline @ np.array([[c, s], [-s, c]]) + self.middle(travel)
+        return [np.vstack([below, above[::-1]]) @ np.array([[c, s], [-s, c]]) + self.middle(travel) for below, above in pieces]
 
 
 def height(bearing: dict[str, Any], radius: float | list[float] | np.ndarray) -> np.ndarray:

@@ -141,7 +141,7 @@ class DoubleSection(Section):
         return self.capacity - self.outer
 
     def bodies(self, travel: float, whole: bool) -> list[tuple[np.ndarray, str | None]]:
-        bodies: list[tuple[np.ndarray, str | None]] = [(self.two.slider(travel), None)]
+        bodies: list[tuple[np.ndarray, str | None]] = [(piece, None) for piece in self.two.slider(travel)]
         if travel:
             bodies.insert(0, (2 * self.middle(travel) - self.plate(), STEEL))
         return bodies

@@ -157,9 +157,14 @@ class Geometry(unittest.TestCase):
         capacity = 0.3000019207318123  # of a run's gap at the start
         two = bearing.TwoDishes(dcfp)
         self.assertAlmostEqual(2 * two.middle(0.2)[0], 0.2, delta=1e-12)  # what is carried has moved by both halves
-        reach = two.slider(capacity)[:, 0].max()
+        (whole,) = two.slider(capacity)
+        reach = whole[:, 0].max()
         self.assertAlmostEqual(reach, 0.30335, delta=0.3e-3)  # its outline is drawn with a sharp edge
         self.assertIsNone(bearing.lateral_capacity(dcfp), "the program states it")
+        dcfp["slider"]["mu_interface"] = 0.15
+        low, high = bearing.TwoDishes(dcfp).slider(capacity)
+        np.testing.assert_allclose(np.vstack([low[:81], high[2:]]), whole)
+        np.testing.assert_allclose(low[:80:-1], high[:2])  # they meet in a plane
         del dcfp["slider"]["height_mm"]
         self.assertEqual(bearing.TwoDishes.missing(dcfp), ["slider.height_mm"])
 
