@@ -37,7 +37,7 @@ TABLES = {
         ("tests/verification/stack_refinement.txt", "The stack", "tests/verification/stack_refinement.py"),
         ("tests/verification/windows_of_rungs.txt", "One window by every rung", "tests/verification/windows_of_rungs.py"),
         ("tests/verification/static_loops.txt", "Quasi-static loops", "tests/verification/static_loops.py"),
-        ("tests/verification/interface_loop.txt", "A slow loop of an LIR-DCFP into its rims", "tests/verification/interface_loop.py RIMPACT FOLDER 0"),
+        ("tests/verification/interface_loop.txt", "A slow loop of an LIR-DCFP into its rims", "tests/verification/interface_loop.py RIMPACT FOLDER 0,1"),
         ("tests/verification/tetrahedra.txt", "Tetrahedra", "tests/verification/tetrahedra.py"),
         ("tests/verification/pad_seat.txt", "The pad's seat, tied and frictional", "tests/verification/pad_seat.py"),
         ("tests/verification/figure_eight.txt", "Figure-eight", "tests/verification/figure_eight.py"),
