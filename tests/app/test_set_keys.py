@@ -141,8 +141,8 @@ class SetKeys(unittest.TestCase):
             asked = every[place % STRIDE::STRIDE]
             if verb.name == "mesh BEARING":
                 asked = [key for key in asked if not key["key"].startswith(NO_DIMENSION)]
-            if verb.words[0] in ("mesh", "run") and STRIDE == 1:  # these start the finite-element program
-                asked = asked[::4]
+            if verb.words[0] in ("mesh", "run"):  # these start the finite-element program
+                asked = asked[::4 if STRIDE == 1 else 2]
             if "--mesh" in verb.words:  # the option stands over the key
                 asked = [key for key in asked if key["key"] != "model.mesh"]
             if verb.resolved is identity:  # a mark, no number: it stands in scene.toml
