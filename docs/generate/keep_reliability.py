@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
-"""Keeps the summary of a reliability study for docs/results/reliability.md: keep_reliability.py RESULTS_FOLDER NAME "WHAT IT IS" LIMITS.
+"""Keeps the summary of a reliability study for docs/results/reliability.md: keep_reliability.py RESULTS_FOLDER NAME "WHAT IT IS" LIMITS [KEYS].
 
-From RESULTS_FOLDER/reliability.json to data/reliability/kept/NAME.json: counts, levels, and reductions at the LIMITS ("0.3,0.4,1,10"). No record
-and no path goes along.
+From RESULTS_FOLDER/reliability.json to data/reliability/kept/NAME.json: counts, levels, and reductions at the LIMITS ("0.3,0.4,1,10"); with KEYS
+("case,device,variable.R_I") also from its reliability.csv to kept/curves/NAME.json, which the thesis's figures are drawn of: every system's
+probabilities, the system told by these keys. No record and no path goes along.
 """
+import csv
 import json
 import pathlib
 import sys
@@ -14,7 +16,7 @@ KEPT = ("years", "period_s", "n_systems", "keys", "samples", "n_runs", "n_runs_w
         "differences")
 
 
-def main(folder: str, name: str, what: str, limits: str) -> None:
+def main(folder: str, name: str, what: str, limits: str, keys: str = "") -> None:
     summary = json.loads(pathlib.Path(folder, "reliability.json").read_text(encoding="utf-8"))
     kept: dict[str, Any] = {"study": name, "what": what, **{key: summary[key] for key in KEPT}}
     wanted = {float(limit) for limit in limits.split(",")}
@@ -22,6 +24,32 @@ def main(folder: str, name: str, what: str, limits: str) -> None:
     target = ROOT / "data" / "reliability" / "kept" / f"{name}.json"
     target.parent.mkdir(exist_ok=True)
     target.write_text(json.dumps(kept, indent=1) + "\n", encoding="utf-8")
+    if keys:
+        drawn = target.parent / "curves" / target.name
+        drawn.parent.mkdir(exist_ok=True)
+        drawn.write_text(curves(pathlib.Path(folder, "reliability.csv"), name, keys.split(",")), encoding="utf-8")
+
+
+def curves(table: pathlib.Path, name: str, keys: list[str]) -> str:
+    """JSON, one line a system: probabilities with three digits."""
+    limits: dict[str, list[float]] = {}
+    systems: dict[str, dict[str, Any]] = {}
+    with open(table, newline="", encoding="utf-8") as file:
+        for row in csv.DictReader(file):
+            quantity, limit = row["quantity"], float(row["limit"])
+            if limit not in limits.setdefault(quantity, []):
+                limits[quantity].append(limit)
+            system = systems.setdefault(row["system"], {"of": {key: number_or_text(row[key]) for key in keys}})
+            system.setdefault(quantity, []).append(float(f"{float(row['probability']):.3g}") if row["probability"] else None)
+    lines = ",\n".join(json.dumps(system) for system in systems.values())
+    return f'{{"study": {json.dumps(name)}, "limits": {json.dumps(limits)}, "systems": [\n{lines}\n]}}\n'
+
+
+def number_or_text(cell: str) -> float | str:
+    try:
+        return float(cell)
+    except ValueError:
+        return cell
 
 
 if __name__ == "__main__":

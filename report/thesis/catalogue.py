@@ -18,8 +18,8 @@ FOLDER = os.path.join(os.path.dirname(os.path.dirname(os.path.dirname(os.path.ab
 NUMBER_SHAPE = {**texts("what unit ours why cause without headline apart"), **numbers("printed factor within resolved at_least count")}
 CURVE = {**texts("run label side"), "x": ANY, "y": ANY}
 MARK = {**texts("entry number"), **numbers("curve factor")}  #: a printed number of an entry, drawn in the colour of a curve
-PANEL = {**texts("title x_label y_label x y kind of colour unit"), "curves": [CURVE], "marks": [MARK], **numbers("x_factor y_factor R0_m a_m"), "x_range": [NUMBER], "y_range": [NUMBER],
-         "records": [TEXT], "shapes": [{"label": TEXT, "R0_m": NUMBER, "a_m": NUMBER}]}
+PANEL = {**texts("title x_label y_label x y kind of colour dashes unit"), "curves": [CURVE], "marks": [MARK], **numbers("x_factor y_factor R0_m a_m limit"),
+         "x_range": [NUMBER], "y_range": [NUMBER], "systems": [TEXT], "records": [TEXT], "shapes": [{"label": TEXT, "R0_m": NUMBER, "a_m": NUMBER}]}
 SHAPE = {
     "thesis": texts("author title kind university year"),
     "reading": [texts("what printed exact key")],

@@ -9,8 +9,9 @@ from support import SOURCE, InFolder, command, in_process
 
 from report.data_files import read_any_json
 from report.errors import DataError, InputError
+from report.style import plt
 from report.thesis import catalogue as catalogues
-from report.thesis import document, headlines
+from report.thesis import document, headlines, probabilities
 from report.thesis.catalogue import Number
 from report.thesis.results import Ours
 from report.thesis.runs import value_of, value_without_cause
@@ -102,6 +103,35 @@ class Values(InFolder):
         self.assertEqual(value_of(Number("", ours="s:reduction mean ductility 5 LIR 10 cm"), runs), 0.25)
         with self.assertRaisesRegex(DataError, "ductility 6"):
             value_of(Number("", ours="s:reduction mean ductility 6 LIR 10 cm"), runs)
+
+    #: Two frames on rims without a gap and with two; the flexible one gains nothing.
+    CURVES = {"study": "small", "limits": {"ductility": [1.0, 3.0]}, "systems": [
+        {"of": {"case": case, "device": device, "r": r}, "ductility": [0.2, value]}
+        for case, r, values in (("stiff", 0.1, (0.10, 0.09, 0.08)), ("soft", -0.1, (0.04, 0.04, 0.04)))
+        for device, value in zip(("DCFP", "LIR 2 cm", "LIR 10 cm"), values)]}
+
+    def test_reductions_over_the_gap(self):
+        found = dict(probabilities.reductions(self.CURVES, [], "ductility", 3.0))
+        np.testing.assert_allclose(found["stiff", "r 0.1"], [(0, 0), (2, 10), (10, 20)])
+        np.testing.assert_allclose(found["soft", "r -0.1"], [(0, 0), (2, 0), (10, 0)])
+        self.assertEqual(list(dict(probabilities.reductions(self.CURVES, ["case=soft"], "ductility", 3.0))), [("r -0.1",)])
+        self.assertEqual(len(dict(probabilities.reductions(self.CURVES, ["r=0.1|-0.1"], "ductility", 3.0))), 2, "two values of a key are two curves")
+
+    def test_systems_by_what_they_are(self):
+        self.assertEqual([system["ductility"][1] for system in probabilities.systems_of(self.CURVES, ["r=0.10", "device=LIR 10 cm|LIR 2 cm"])], [0.09, 0.08])
+        for named, said in (["r=0.2"], "no system with r=0.2"), (["gap=2"], "no key gap"):
+            with self.assertRaisesRegex(DataError, said):
+                probabilities.systems_of(self.CURVES, named)
+
+    def test_every_curve_of_the_systems_is_drawn(self):
+        class Runs:
+            summary = staticmethod(lambda name: self.CURVES)
+        panel = {"of": "small", "y": "ductility", "systems": ["case=stiff"], "colour": "device", "dashes": "r"}
+        _, ax = plt.subplots()
+        self.assertTrue(probabilities.draw_probabilities(ax, panel, Runs))
+        np.testing.assert_allclose([line.get_ydata()[-1] for line in ax.get_lines()[:3]], [0.10, 0.09, 0.08])
+        self.assertEqual(ax.get_legend_handles_labels()[1], ["DCFP", "LIR 2 cm", "LIR 10 cm", "r 0.1"])
+        plt.close()
 
     def test_verdicts(self):
         self.assertEqual(Number("", printed=2, within=0.1, apart="an input").verdict(2.0), "apart")
