@@ -30,7 +30,9 @@ def cases(program, folder):
         ("from the other side", True, window(0.2, "excitation.direction_deg=180"), 0, close_to(BASE, 2e-3)),
         ("at 31 degrees, whole", True, window(0.2, "excitation.direction_deg=31"), 0, close_to(BASE, 0.02)),
         ("oblique: bidirectional pulse x 0.7", True, pulse("pulse-bidirectional", 0.7, "excitation.duration_s=3.9"), 0, impacts(1)),
-        ("second hit on the dent: pulse x 1.0", True, pulse("ricker-0.78g-1.0s", 1.0, "excitation.duration_s=4"), 0, impacts(2)),
+        ("pulse x 1.0", True, pulse("ricker-0.78g-1.0s", 1.0, "excitation.duration_s=4"), 0, impacts(1)),
+        # from side to side: the third is on the dent of the first
+        ("hits on the dent: pulse x 0.9, mu 0", True, pulse("ricker-0.78g-1.0s", 0.9, "excitation.duration_s=6.3", *friction(0)), 0, impacts(3)),
         ("mu 0", True, window(0.2, *friction(0)), 0, impacts(1)),
         ("mu 0.2", True, window(0.2, *friction(0.2)), 0, impacts(1)),
         ("friction of the walls 0.2", True, window(0.2, "bearing.contact.rim=0.2"), 0, impacts(1)),
