@@ -1,4 +1,6 @@
 #include "scene/bearing.h"
+#include "scene/edge_middle.h"
+#include "scene/spherical_cap.h"
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -19,15 +21,6 @@ namespace {
 double effective_radius(const Bearing &b) {
   return 2 * b.surface.R0 - b.slider.height;
 }
-
-/// The middle of the rounding of a slider's edge between two dishes, from the dish's centre in the slider's own frame:
-/// outwards and down [m]. The rounding is tangent to the side and to the sliding face.
-struct EdgeMiddle {
-  double out, down;
-  explicit EdgeMiddle(const Bearing &b)
-      : out(b.slider.diameter / 2 - b.slider.edge_radius),
-        down(std::sqrt(std::pow(b.surface.R0 - b.slider.edge_radius, 2) - out * out)) {}
-};
 
 /// At which the rounding is tangent to the wall: out cos(theta) + down sin(theta) + e = wall.
 double tilt_at_touch(const Bearing &b) {
@@ -105,7 +98,7 @@ std::optional<double> strain_limit(const Bearing &bearing) {
 double slider_mass(const Bearing &bearing) {
   const auto &s = bearing.slider;
   if (bearing.double_concave()) {
-    const double R = bearing.surface.R0, r = s.diameter / 2, face = R - std::sqrt(R * R - r * r); // rise of a face
+    const double R = bearing.surface.R0, r = s.diameter / 2, face = cap_height(R, r);
     const double beside = std::numbers::pi * (r * r * face - face * face * (R - face / 3)); // a face and its plane
     return bearing.steel_of(SteelPart::slider).density * (std::numbers::pi * r * r * s.height - 2 * beside);
   }

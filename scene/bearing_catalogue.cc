@@ -3,6 +3,7 @@
 #include "io/files/error.h"
 #include "io/files/text.h"
 #include "scene/assumptions.h"
+#include "scene/edge_middle.h"
 #include "scene/isolator_catalogue.h"
 #include "scene/triple_pendulum.h"
 #include <array>
@@ -94,10 +95,11 @@ double to_the_micrometre(double metres) {
 /// below the dish and the rounding of the edge are assumed, and so are R and h, which share the published R_eff.
 Bearing stop_of(const TripleFace &face, double mu, double rim_thickness, double base) {
   Bearing b = dcfp_155();
-  const double edge = 0.005, out = face.half - edge, down = std::sqrt(std::pow(face.radius - edge, 2) - out * out);
-  b.slider.diameter = 2 * face.half, b.slider.height = 2 * face.height, b.slider.edge_radius = edge;
+  b.slider.diameter = 2 * face.half, b.slider.height = 2 * face.height, b.slider.edge_radius = 0.005;
   b.surface.R0 = b.surface.a = face.radius;
-  const double wall = out * std::cos(face.tilt()) + down * std::sin(face.tilt()) + edge; // where the edge touches
+  const EdgeMiddle edge(b);
+  const double theta = face.tilt(), // where the edge is tangent to the wall
+      wall = edge.out * std::cos(theta) + edge.down * std::sin(theta) + b.slider.edge_radius;
   b.surface.planar_radius = to_the_micrometre(wall);
   b.rim.height = face.rim_height, b.rim.thickness = rim_thickness, b.plate.base = base;
   b.contact.steel_ertalyte = mu;

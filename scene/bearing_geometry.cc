@@ -4,6 +4,7 @@
 #include "scene/flow_curve.h"
 #include "scene/keys.h"
 #include "scene/range_check.h"
+#include "scene/spherical_cap.h"
 #include <cmath>
 #include <fmt/format.h>
 #include <numbers>
@@ -46,7 +47,7 @@ void check_two_dishes(const Bearing &b) {
           "surface.planar_radius_mm {} mm reaches beyond the sphere, which ends at {} mm (R0_m)", mm(wall), mm(R));
   require(s.edge_radius < radius, "slider.edge_radius_mm {} mm must be below the slider's radius {} mm",
           mm(s.edge_radius), mm(radius));
-  const double face = R - std::sqrt(R * R - radius * radius);
+  const double face = cap_height(R, radius);
   require(
       s.height > 2 * (face + s.edge_radius),
       "slider.height_mm {} mm must exceed {:.5g} mm: its two faces rise by {:.4g} mm each, and its edges are rounded "

@@ -1,5 +1,6 @@
 #include "scene/isolator.h"
 #include "io/files/error.h"
+#include "scene/spherical_cap.h"
 #include "scene/triple_pendulum.h"
 #include <cmath>
 #include <fmt/format.h>
@@ -56,7 +57,7 @@ void check_shape(const Isolator &b) {
   for (const auto &p : plates) {
     bounded(half < p.R, "slider_diameter_mm", mm * b.slider_diameter,
             fmt::format("must be below 2 R = {:.6g} mm", 2 * mm * p.R));
-    const double sagitta = p.R - std::sqrt(p.R * p.R - half * half);
+    const double sagitta = cap_height(p.R, half);
     bounded(p.height > sagitta, p.height_key, mm * p.height,
             fmt::format("must exceed {:.4g} mm, the depth of its curved face", mm * sagitta));
   }

@@ -1,15 +1,10 @@
 #include "scene/isolator_doubts.h"
+#include "scene/spherical_cap.h"
 #include "scene/triple_pendulum.h"
-#include <cmath>
 #include <fmt/format.h>
 
 namespace rimpact::scene {
 namespace {
-
-/// Of a sphere of radius R above its vertex, at the radius r [m].
-double rise(double R, double r) {
-  return R - std::sqrt(R * R - r * r);
-}
 
 /// Two dishes that face each other, with what lies between them in the middle.
 struct FacingDishes {
@@ -20,7 +15,8 @@ struct FacingDishes {
 
 FacingDishes facing(const char *key, const char *bodies, const TripleFace &low, const TripleFace &high) {
   return {key, bodies, low.rim_height,
-          low.height - rise(low.radius, low.rim_radius()) + high.height - rise(high.radius, high.rim_radius())};
+          low.height - cap_height(low.radius, low.rim_radius()) + high.height -
+              cap_height(high.radius, high.rim_radius())};
 }
 
 std::vector<FacingDishes> facing_dishes(const Isolator &b, ModelKind model) {
@@ -29,7 +25,8 @@ std::vector<FacingDishes> facing_dishes(const Isolator &b, ModelKind model) {
     return {facing("rim_height_mm", "plates", f[0], f[3]), facing("inner.rim_height_mm", "slide plates", f[1], f[2])};
   }
   return {{"rim_height_mm", "plates", b.rim_height,
-           b.slider_height() - rise(b.radius, b.bottom_rim_radius()) - rise(b.upper_radius(), b.top_rim_radius())}};
+           b.slider_height() - cap_height(b.radius, b.bottom_rim_radius()) -
+               cap_height(b.upper_radius(), b.top_rim_radius())}};
 }
 
 } // namespace

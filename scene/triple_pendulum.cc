@@ -1,5 +1,6 @@
 #include "scene/triple_pendulum.h"
 #include "io/files/error.h"
+#include "scene/spherical_cap.h"
 #include <cmath>
 #include <fmt/format.h>
 #include <numbers>
@@ -53,7 +54,7 @@ void check_face(const TripleFace &f, const FaceKeys &key) {
   constexpr double mm = 1e3;
   demand(f.half < f.radius, key.diameter, 2 * mm * f.half,
          fmt::format("must be below 2 R = {:.6g} mm", 2 * mm * f.radius));
-  const double sagitta = f.radius - std::sqrt(f.radius * f.radius - f.half * f.half);
+  const double sagitta = cap_height(f.radius, f.half);
   demand(f.height > sagitta, key.height, mm * f.height,
          fmt::format("must exceed {:.4g} mm, the depth of its curved face", mm * sagitta));
   demand(f.radius > f.height, key.radius, f.radius,

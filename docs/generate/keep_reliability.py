@@ -5,13 +5,15 @@ From RESULTS_FOLDER/reliability.json to data/reliability/kept/NAME.json: counts,
 ("case,device,variable.R_I") also from its reliability.csv to kept/curves/NAME.json, which the thesis's figures are drawn of: every system's
 probabilities, the system told by these keys. No record and no path goes along.
 """
-import csv
 import json
 import pathlib
 import sys
 from typing import Any
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT))
+from report.reliability.tables import read  # noqa: E402
+
 KEPT = ("years", "period_s", "n_systems", "keys", "samples", "n_runs", "n_runs_without_result", "levels", "hazard", "confidence", "replicates",
         "differences")
 
@@ -27,29 +29,21 @@ def main(folder: str, name: str, what: str, limits: str, keys: str = "") -> None
     if keys:
         drawn = target.parent / "curves" / target.name
         drawn.parent.mkdir(exist_ok=True)
-        drawn.write_text(curves(pathlib.Path(folder, "reliability.csv"), name, keys.split(",")), encoding="utf-8")
+        drawn.write_text(curves(folder, name, keys.split(",")), encoding="utf-8")
 
 
-def curves(table: pathlib.Path, name: str, keys: list[str]) -> str:
+def curves(folder: str, name: str, keys: list[str]) -> str:
     """JSON, one line a system: probabilities with three digits."""
     limits: dict[str, list[float]] = {}
-    systems: dict[str, dict[str, Any]] = {}
-    with open(table, newline="", encoding="utf-8") as file:
-        for row in csv.DictReader(file):
-            quantity, limit = row["quantity"], float(row["limit"])
-            if limit not in limits.setdefault(quantity, []):
-                limits[quantity].append(limit)
-            system = systems.setdefault(row["system"], {"of": {key: number_or_text(row[key]) for key in keys}})
-            system.setdefault(quantity, []).append(float(f"{float(row['probability']):.3g}") if row["probability"] else None)
+    systems: dict[float, dict[str, Any]] = {}
+    for row in read(folder, "reliability"):
+        quantity, limit, probability = row["quantity"], row["limit"], row["probability"]
+        if limit not in limits.setdefault(quantity, []):
+            limits[quantity].append(limit)
+        system = systems.setdefault(row["system"], {"of": {key: row[key] for key in keys}})
+        system.setdefault(quantity, []).append(None if probability is None else float(f"{probability:.3g}"))
     lines = ",\n".join(json.dumps(system) for system in systems.values())
     return f'{{"study": {json.dumps(name)}, "limits": {json.dumps(limits)}, "systems": [\n{lines}\n]}}\n'
-
-
-def number_or_text(cell: str) -> float | str:
-    try:
-        return float(cell)
-    except ValueError:
-        return cell
 
 
 if __name__ == "__main__":

@@ -1,15 +1,11 @@
 #include "reduced_models/rigid_body/bearing_contacts.h"
-#include <cmath>
+#include "scene/spherical_cap.h"
 
 namespace rimpact::reduced::rigid {
 
 using Eigen::Vector2d;
 
 namespace {
-
-double depth(double R, double r) {
-  return R - std::sqrt(R * R - r * r);
-}
 
 /// Which body carries the points of a joint, which the sphere or plane, and where their faces are in their frames.
 struct Sides {
@@ -26,7 +22,7 @@ Sides sides_of(const Parts &parts, int joint) {
 Contact point(const Parts &parts, int joint, const Vector2d &at) {
   const Joint &j = parts.joints[joint];
   const Sides s = sides_of(parts, joint);
-  const double curved = j.surface == Surface::dish ? depth(j.radius, at.norm()) : 0;
+  const double curved = j.surface == Surface::dish ? scene::cap_height(j.radius, at.norm()) : 0;
   return {.surface = j.surface,
           .body = s.body,
           .master = s.master,
@@ -42,8 +38,8 @@ Contact rim(const Parts &parts, int joint, const Vector2d &at, double reach) {
   return {.surface = Surface::rim,
           .body = s.body,
           .master = s.master,
-          .point = {at[0], at[1], s.face + s.up * depth(j.radius, j.half)},
-          .centre = {0, 0, s.master_face + s.up * depth(j.radius, j.wall)},
+          .point = {at[0], at[1], s.face + s.up * scene::cap_height(j.radius, j.half)},
+          .centre = {0, 0, s.master_face + s.up * scene::cap_height(j.radius, j.wall)},
           .radius = j.wall,
           .reach = reach,
           .wall_height = j.wall_height,

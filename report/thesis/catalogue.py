@@ -1,8 +1,8 @@
 """The catalogue of figures, tables and printed numbers: data/thesis/*.toml, read and checked.
 
 A [run.NAME] is a command of rimpact, or a kept reference. An [[entry]] is a figure, a table or a passage with numbers: what
-it needs, its panels, and its numbers: what is printed, how ours is found, within what it counts as met. A number that
-cannot be compared says why; one that is not met says the cause."""
+it needs, its panels (`every_panel` is what they share), and its numbers: what is printed, how ours is found, within what it
+counts as met. A number that cannot be compared says why; one that is not met says the cause."""
 import os
 import re
 import tomllib
@@ -26,7 +26,7 @@ SHAPE = {
     "reading_count": [{**texts("section"), **numbers("printed exact numbers")}],
     "run": {"*": {"command": [TEXT], "kept": TEXT, "json": FLAG, "seconds": NUMBER, "heavy": FLAG, "records": [TEXT]}},
     "entry": [{**texts("id section title state command differs"), "also": [TEXT], "records": [TEXT], "columns": NUMBER,
-               "panel": [PANEL], "number": [NUMBER_SHAPE],
+               "every_panel": PANEL, "panel": [PANEL], "number": [NUMBER_SHAPE],
                "table": [{"cause": [{**texts("of run path cause"), "rows": [TEXT]}],
                           "columns": [TEXT], "paths": [TEXT], "factors": [NUMBER], "within": [NUMBER], "resolved": [NUMBER], "units": [TEXT], "causes": [TEXT],
                           "row": [{"label": TEXT, "run": TEXT, "without": TEXT, "printed": [NUMBER]}]}]}],
@@ -163,8 +163,8 @@ def load(folder: str = os.path.join(FOLDER, "thesis")) -> Catalogue:
 
 
 def _entry(data: dict[str, Any], runs: dict[str, Run]) -> Entry:
-    plain = {key: value for key, value in data.items() if key not in ("panel", "number", "table")}
-    entry = Entry(**plain, panels=data.get("panel", []), numbers=[Number(**number) for number in data.get("number", [])])
+    plain = {key: value for key, value in data.items() if key not in ("every_panel", "panel", "number", "table")}
+    entry = Entry(**plain, panels=[data.get("every_panel", {}) | panel for panel in data.get("panel", [])], numbers=[Number(**number) for number in data.get("number", [])])
     for table in data.get("table", []):
         entry.numbers += _numbers_of(table)
     if entry.state not in STATES:

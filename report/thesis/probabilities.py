@@ -40,39 +40,43 @@ def probability(study: dict[str, Any], system: dict[str, Any], quantity: str, li
     return float(system[quantity][study["limits"][quantity].index(limit)])
 
 
+class Styles:
+    """A colour for each value of one thing, dashes for each of another, in the order they come in; `explain` tells them in the legend."""
+
+    def __init__(self) -> None:
+        self.colours: dict[str, Any] = {}
+        self.dashes: dict[str, Any] = {}
+
+    def of(self, colour: str, dash: str) -> dict[str, Any]:
+        return {"color": self.colours.setdefault(colour, CYCLE[len(self.colours) % len(CYCLE)]),
+                "ls": self.dashes.setdefault(dash, DASHES[len(self.dashes) % len(DASHES)])}
+
+    def explain(self, ax: Axes) -> None:
+        for name, colour in self.colours.items():
+            ax.plot([], [], color=colour, label=literal(name))
+        for name, dash in self.dashes.items():
+            ax.plot([], [], color="black", ls=dash, label=literal(name))
+
+
 def draw_probabilities(ax: Axes, panel: dict[str, Any], runs: Runs) -> bool:
     """Of exceeding the limits of the quantity `y`. `colour` and `dashes` are keys, whose values have each their own."""
-    study = runs.summary(panel["of"])
-    colours: dict[str, Any] = {}
-    dashes: dict[str, Any] = {}
+    study, styles = runs.summary(panel["of"]), Styles()
     for system in systems_of(study, panel["systems"]):
-        colour, dash = shown(system["of"][panel["colour"]]), f"{short(panel['dashes'])} {shown(system['of'][panel['dashes']])}"
-        colours.setdefault(colour, CYCLE[len(colours) % len(CYCLE)])
-        dashes.setdefault(dash, DASHES[len(dashes) % len(DASHES)])
         drawn = [(limit, value) for limit, value in zip(study["limits"][panel["y"]], system[panel["y"]]) if value]
-        ax.semilogy([limit for limit, _ in drawn], [value for _, value in drawn], color=colours[colour], ls=dashes[dash], lw=0.8)
-    _explain(ax, colours, dashes)
+        style = styles.of(shown(system["of"][panel["colour"]]), f"{short(panel['dashes'])} {shown(system['of'][panel['dashes']])}")
+        ax.semilogy([limit for limit, _ in drawn], [value for _, value in drawn], lw=0.8, **style)
+    styles.explain(ax)
     return True
 
 
 def draw_reductions(ax: Axes, panel: dict[str, Any], runs: Runs) -> bool:
     """By how many per cent the probability of a `limit` of `y` lies below the reference's, over the number in the name of the device."""
-    colours: dict[str, Any] = {}
-    dashes: dict[str, Any] = {}
+    styles = Styles()
     for (first, *rest), points in reductions(runs.summary(panel["of"]), panel["systems"], panel["y"], panel["limit"]):
-        colours.setdefault(first, CYCLE[len(colours) % len(CYCLE)])
-        dashes.setdefault(", ".join(rest), DASHES[len(dashes) % len(DASHES)])
-        ax.plot(*zip(*points), marker="o", ms=2, lw=0.9, color=colours[first], ls=dashes[", ".join(rest)])
-    _explain(ax, colours, dashes)
+        ax.plot(*zip(*points), marker="o", ms=2, lw=0.9, **styles.of(first, ", ".join(rest)))
+    styles.explain(ax)
     ax.axhline(0, color="black", lw=0.5)
     return True
-
-
-def _explain(ax: Axes, colours: dict[str, Any], dashes: dict[str, Any]) -> None:
-    for name, colour in colours.items():
-        ax.plot([], [], color=colour, label=literal(name))
-    for name, dash in dashes.items():
-        ax.plot([], [], color="black", ls=dash, label=literal(name))
 
 
 def reductions(study: dict[str, Any], named: list[str], quantity: str, limit: float,

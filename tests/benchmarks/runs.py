@@ -115,6 +115,19 @@ def growth(done: dict[str, dict[str, Any]]) -> list[str]:
     return lines
 
 
+def rows_asked(parser: argparse.ArgumentParser, known: list[str]) -> tuple[argparse.Namespace, list[str]]:
+    """The options, and the names of --rows, which are known; ends the program after --list or an unknown name."""
+    parser.add_argument("--list", action="store_true")
+    options = parser.parse_args()
+    if options.list:
+        print("\n".join(known))
+        parser.exit()
+    names = options.rows.split(",")
+    if unknown := [name for name in names if name not in known]:
+        parser.error(f"no row is called {unknown[0]}; --list names them")
+    return options, names
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program")
@@ -122,14 +135,7 @@ def main() -> None:
     parser.add_argument("--against")
     parser.add_argument("--work")
     parser.add_argument("--write")
-    parser.add_argument("--list", action="store_true")
-    options = parser.parse_args()
-    if options.list:
-        print("\n".join(ROWS))
-        return
-    names = options.rows.split(",")
-    if unknown := [name for name in names if name not in ROWS]:
-        parser.error(f"no row is called {unknown[0]}; --list names them")
+    options, names = rows_asked(parser, list(ROWS))
     head = " steps  Newton   GMRES factor    cpu s"
     text = [f"{'row':32s} unknowns{head}  force kN rebound  imbalance" + (f" |{head} | ratio  force %  rebound %" if options.against else "")]
     print(text[0])

@@ -35,15 +35,7 @@ def main() -> None:
     parser.add_argument("--rows", default="main,calibrate,report,window-rim-mesh-1")
     parser.add_argument("--work", type=pathlib.Path)
     parser.add_argument("--write", type=pathlib.Path)
-    parser.add_argument("--list", action="store_true")
-    options = parser.parse_args()
-    known = [*JOBS, *runs.ROWS]
-    if options.list:
-        print("\n".join(known))
-        return
-    names = options.rows.split(",")
-    if unknown := [name for name in names if name not in known]:
-        parser.error(f"no row is called {unknown[0]}; --list names them")
+    options, names = runs.rows_asked(parser, [*JOBS, *runs.ROWS])
     text = [HEAD]
     print(HEAD, flush=True)
     with tempfile.TemporaryDirectory() as temporary:
