@@ -25,6 +25,7 @@ TABLES = {
         ("tests/hard_cases/solid/table_rim.txt", "Rung rim", "ctest -L slow -R hard_cases_rim"),
         ("tests/hard_cases/solid/table_rim-rate.txt", "Rung rim, steel that knows its rate", "ctest -L slow -R hard_cases_rim-rate"),
         ("tests/hard_cases/solid/table_rigid-dish.txt", "Rung rigid-dish", "ctest -L slow -R hard_cases_rigid-dish"),
+        ("tests/hard_cases/solid/table_double-concave-dish.txt", "Rung rigid-dish between two dishes", "ctest -L slow -R hard_cases_double-concave-dish"),
         ("tests/hard_cases/solid/table_rigid-dish-rate.txt", "Rung rigid-dish, steel that knows its rate", "ctest -L slow -R hard_cases_rigid-dish-rate"),
         ("tests/hard_cases/solid/table_full.txt", "Rung full", "ctest -L slow -R hard_cases_full"),
         ("tests/hard_cases/solid/table_full-rate.txt", "Rung full, steel that knows its rate", "ctest -L slow -R hard_cases_full-rate")]),
@@ -191,7 +192,8 @@ def reductions_table(kept: dict[str, Any]) -> str:
             "|---|---|---|---|---|---|---|---|\n")
     for row in kept["differences"]:
         unknown = f"{row['n_unknown']}: {percent(row['reduction_at_least'])} to {percent(row['reduction_at_most'])}" if row.get("n_unknown") else ""
-        text += (f"| {row['key']} = {row['value']} | {row['quantity']} > {row['limit']:g} | {row['n_systems']} | {percent(row['mean_reduction'])} | "
+        beyond = row["quantity"] if row["quantity"] == "collapsed" else f"{row['quantity']} > {row['limit']:g}"
+        text += (f"| {row['key']} = {row['value']} | {beyond} | {row['n_systems']} | {percent(row['mean_reduction'])} | "
                  f"{percent(row['least_reduction'])} | {percent(row['largest_reduction'])} | {row['n_systems_whose_band_excludes_0']} | {unknown} |\n")
     return text
 
@@ -199,7 +201,7 @@ def reductions_table(kept: dict[str, Any]) -> str:
 def reliability_page() -> str:
     text = ("# Reliability\n\nStudies of `data/reliability/` with the records at hand, kept by `docs/generate/keep_reliability.py`. A reduction is of the probability of "
             "exceedance in the study's years, against the reference system; negative: it grows. Unknown runs are those of both systems that stopped short of the "
-            "limit because their model holds no longer; the bounds beside them count all or none of them beyond it.\n")
+            "limit because their model holds no longer; the bounds beside them assume that all of them exceed the limit, or none.\n")
     for file in sorted((ROOT / "data/reliability/kept").glob("*.json")):
         kept = json.loads(file.read_text(encoding="utf-8"))
         levels = ", ".join(f"{level['level_g']:.3g} g: {level['n_records']} of {level['n_listed']}" for level in kept["levels"])
