@@ -117,7 +117,9 @@ void warn_of_tipping(const scene::Scene &scene, Summary &summary) {
          fmt::format("the rims' forces of {:.0f} kN turn the slider with {:.0f} kN m, more than the {:.0f} kN m "
                      "that its faces hold under the dead load: it tips and may climb a rim{}",
                      *summary.peak_impact_force / 1e3, couple / 1e3, held / 1e3,
-                     turns ? "" : ", which this model does not follow"));
+                     turns                     ? ""
+                     : scene.load.vertical > 0 ? ", which this model does not have (rungs `rigid-dish` and `full` do)"
+                                               : ", which this model does not have"));
 }
 
 json rim_foot(const scene::Scene &scene, Summary &summary) {

@@ -75,6 +75,7 @@ Bearing dcfp_155() {
   b.rim.thickness = 0.020;
   b.plate.base = 0.040;
   b.contact.steel_ertalyte = 0.05;
+  b.assumed.keys = {"material.steel.yield_MPa"};
   return b;
 }
 
@@ -103,7 +104,7 @@ Bearing stop_of(const TripleFace &face, double mu, double rim_thickness, double 
   b.surface.planar_radius = to_the_micrometre(wall);
   b.rim.height = face.rim_height, b.rim.thickness = rim_thickness, b.plate.base = base;
   b.contact.steel_ertalyte = mu;
-  b.assumed.keys = {"surface.R0_m", "surface.planar_radius_mm", "slider.height_mm"};
+  b.assumed.keys.insert({"surface.R0_m", "surface.planar_radius_mm", "slider.height_mm"});
   return b;
 }
 

@@ -53,10 +53,13 @@ void check_two_dishes(const Bearing &b) {
       "slider.height_mm {} mm must exceed {:.5g} mm: its two faces rise by {:.4g} mm each, and its edges are rounded "
       "by {} mm",
       mm(s.height), 2e3 * (face + s.edge_radius), 1e3 * face, mm(s.edge_radius));
+  const double lower = b.rim.height - (rim_top(b) - s.height / 2);
+  const bool still_a_rim = lower > 0 && s.height / 2 > edge_at_touch(b) + s.edge_radius;
   require(2 * rim_top(b) <= s.height + drawn,
           "rim.height_mm {} mm: at rest the rims of the two plates would lie in one another by {:.3g} mm; "
-          "slider.height_mm must be {:.5g} mm or more",
-          mm(b.rim.height), 1e3 * (2 * rim_top(b) - s.height), 2e3 * rim_top(b));
+          "slider.height_mm must be {:.5g} mm or more{}",
+          mm(b.rim.height), 1e3 * (2 * rim_top(b) - s.height), 2e3 * rim_top(b),
+          still_a_rim ? fmt::format(", or rim.height_mm {:.5g} mm or less", 1e3 * lower) : "");
   require(s.interface_gap < radius || !s.mu_interface,
           "slider.interface_gap_mm {} mm must be below the slider's radius {} mm: its halves would leave one another",
           mm(s.interface_gap), mm(radius));

@@ -184,8 +184,10 @@ void visit(KeyVisitor &v, SurfaceSpec &s) {
 }
 
 void visit(KeyVisitor &v, ContactFriction &c) {
-  v.number({"steel_steel", "friction of the socket on the foot's cap"}, c.steel_steel, si, coefficient);
-  v.number({"steel_ertalyte", "friction of the pad on the dish"}, c.steel_ertalyte, si, coefficient);
+  v.number({"steel_steel", "friction of the socket on the foot's cap; two dishes have neither"}, c.steel_steel, si,
+           coefficient);
+  v.number({"steel_ertalyte", "friction of the pad on the dish; between two dishes, of the slider's faces"},
+           c.steel_ertalyte, si, coefficient);
   v.number({"rim", "friction of the slider on the rim"}, c.rim, si, coefficient);
   const auto slow = [&](const Key &key, std::optional<double> &mu) {
     if (v.wants(mu.has_value())) v.limit(key, mu, si, coefficient);

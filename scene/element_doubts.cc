@@ -35,6 +35,13 @@ std::vector<KeyEntry> element_of(const Scene &scene) {
   return list.entries;
 }
 
+/// To the law of a rim of [isolator].
+std::string way_to_its_law(ModelKind model) {
+  const std::string bearing = model == ModelKind::tfp ? "a bearing of its stop, such as tfp-kim-2023-inner,"
+                                                      : "the same bearing in [bearing], surface.concave = \"double\",";
+  return "give those of one of its rims, or calibrate " + bearing + " and pass --calibration DIR";
+}
+
 } // namespace
 
 bool published_pair_applies(const Scene &scene) {
@@ -68,14 +75,14 @@ std::vector<std::string> doubts_of_element(const Scene &scene) {
   const bool two_dishes = scene.rigid_bodies();
   if (has_default_element(scene) && r.calibration.empty() && !published_pair_applies(scene)) {
     const bool other_rim = two_dishes || rim_identity(scene.bearing) != rim_identity(builtin_bearing("shfps-225"));
-    found.push_back(fmt::format("{} are {} for shfps-225 and {:g} kg, not this {}'s: impact forces may be several "
-                                "times off; {}",
-                                numbers_of_element(scene),
-                                r.impact_law->of_mass ? "the thesis's" : "defaults of the law", Load{}.mass,
-                                two_dishes  ? "isolator"
-                                : other_rim ? "bearing"
-                                            : "mass",
-                                two_dishes ? "give those of one of its rims" : "calibrate and pass --calibration DIR"));
+    found.push_back(fmt::format(
+        "{} are {} for shfps-225 and {:g} kg, not this {}'s: impact forces may be several "
+        "times off; {}",
+        numbers_of_element(scene), r.impact_law->of_mass ? "the thesis's" : "defaults of the law", Load{}.mass,
+        two_dishes  ? "isolator"
+        : other_rim ? "bearing"
+                    : "mass",
+        two_dishes ? way_to_its_law(scene.reduced.model) : "calibrate and pass --calibration DIR"));
   }
   if (!r.fitted_rim.empty() && two_dishes)
     found.push_back(fmt::format("the impact element was fitted to another rim, that of a bearing of one dish: "

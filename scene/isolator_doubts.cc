@@ -43,7 +43,7 @@ std::vector<std::string> doubts_of_isolator(const Isolator &isolator, ModelKind 
                                   : fmt::format("and the edges of their dishes by {:.3g} mm", -mm * between);
     found.push_back(
         fmt::format("isolator.{} = {:g}: at rest the rims of the two {} lie in one another by {:.3g} mm, {}. "
-                    "No bearing is built like that: its sliders are higher, or its travel is smaller",
+                    "No bearing is built like that: its sliders are higher, its rims lower, or its travel is smaller",
                     key, mm * rim_height, bodies, mm * overlap, edges));
   }
   return found;

@@ -49,7 +49,7 @@ GivenCase geometry_target(const std::string &where, Console &console) {
     throw InputError("--calibration: geometry fits k_i and e to each impact by itself, it takes no element");
   GivenCase given = given_case(where, console.overrides);
   refuse_unread(console.overrides, "geometry", not_of_geometry);
-  require_rigid_mass_on_one_dish(given.scene, "geometry");
+  require_bearing_under_rigid_mass(given.scene, "geometry");
   require_slider_of_one_piece(given.scene, "geometry");
   take_rung(given, console.overrides);
   for (const auto &doubt : scene::doubts(given.scene)) given.warnings.push_back(doubt);

@@ -160,4 +160,14 @@ std::string GivenCase::head() const {
                      word(scene.model.rung), scene.model.mesh, load_line());
 }
 
+void require_bearing(const scene::Scene &scene, const std::string &verb) {
+  if (!scene.rigid_bodies()) return;
+  const char *way = scene.reduced.model == scene::ModelKind::tfp
+                        ? "a triple pendulum by the bearings of its stops (tfp-kim-2023-inner)"
+                        : "two dishes by surface.concave = \"double\"";
+  throw InputError(fmt::format("reduced.model \"{}\" has its bearing in [isolator]: {} takes one that [bearing] gives, "
+                               "{}; `rimpact reduced` runs this scene",
+                               word(scene.reduced.model), verb, way));
+}
+
 } // namespace rimpact::app

@@ -25,5 +25,7 @@ struct GivenCase {
 /// [rim] and so on. A bearing under an override is parsed as the scene that names it; without a motion it is a
 /// window's. Throws InputError for a file that is both or neither.
 GivenCase given_case(const std::string &where, const std::vector<std::string> &overrides);
+/// Throws InputError for a scene of rigid bodies, whose bearing [bearing] does not give.
+void require_bearing(const scene::Scene &scene, const std::string &verb);
 
 } // namespace rimpact::app

@@ -27,11 +27,8 @@ bool is_of_a_fit(const std::string &key) {
   return key.starts_with("reduced.fitted_") || is_in(key, "reduced.taken_from");
 }
 
-void require_rigid_mass_on_one_dish(const scene::Scene &scene, const std::string &verb) {
-  if (scene.rigid_bodies())
-    throw InputError(
-        fmt::format("reduced.model \"{}\": {} is for a bearing with one dish; `rimpact reduced` runs this scene",
-                    word(scene.reduced.model), verb));
+void require_bearing_under_rigid_mass(const scene::Scene &scene, const std::string &verb) {
+  require_bearing(scene, verb);
   if (scene.superstructure.any())
     throw InputError(fmt::format("superstructure.kind \"{}\": {} runs the bearing under a rigid mass; leave "
                                  "[superstructure] out, its mass is in load.mass_kg",
@@ -55,7 +52,7 @@ void take_rung(GivenCase &given, const std::vector<std::string> &overrides) {
 MainTarget main_target(const std::string &where, const std::vector<std::string> &overrides) {
   MainTarget target{given_case(where, overrides), {}};
   refuse_unread(overrides, "main", not_of_main);
-  require_rigid_mass_on_one_dish(target.scene, "main");
+  require_bearing_under_rigid_mass(target.scene, "main");
   require_slider_of_one_piece(target.scene, "main");
   take_rung(target, overrides);
   if (const auto reason = planning::beyond_rungs(target.scene)) throw InputError(*reason);

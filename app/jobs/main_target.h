@@ -16,8 +16,8 @@ MainTarget main_target(const std::string &where, const std::vector<std::string> 
 bool is_of_a_fit(const std::string &key);
 /// Why verbs that run finite elements do not read [bounds].
 extern const char *const bounds_are_reduced;
-/// Throws InputError for a bearing of rigid bodies and a building.
-void require_rigid_mass_on_one_dish(const scene::Scene &scene, const std::string &verb);
+/// Throws InputError for a bearing of rigid bodies or a building.
+void require_bearing_under_rigid_mass(const scene::Scene &scene, const std::string &verb);
 /// Throws InputError for a slider whose halves slide on one another: a law of a rim does not know them.
 void require_slider_of_one_piece(const scene::Scene &scene, const std::string &verb);
 /// The rung is `rim` unless the file or an override asks for another.

@@ -102,6 +102,7 @@ std::string describe(const nlohmann::json &answer) {
 /// The bearing to be pushed; the mass that its speeds are of is typed, else the scene's.
 scene::Scene scene_to_push(CurveOptions &options, Console &console) {
   const GivenCase given = given_case(options.bearing, {});
+  require_bearing(given.scene, "curve");
   if (!options.mass)
     for (const auto &warning : given.warnings) console.warn(warning);
   options.order.mass = options.mass.value_or(given.scene.load.mass);

@@ -215,7 +215,7 @@ void run_study(StudyOptions options, const CLI::App &verb, Console &console) {
   check_axes(options, verb);
   const auto [part, n_parts] = parse_shard(options.shard);
   const scene::Scene base = console.load(options.scene);
-  require_rigid_mass_on_one_dish(base, "study");
+  require_bearing_under_rigid_mass(base, "study");
   refuse_axes_set(options, console);
   if (base.model.own_mesh.any() && options.varies(StudyAxis::mesh) && options.meshes.size() > 1)
     throw InputError("--axes mesh: the scene has a mesh of its own (" + base.model.own_mesh.file +

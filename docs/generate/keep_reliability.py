@@ -33,7 +33,7 @@ def main(folder: str, name: str, what: str, limits: str, keys: str = "") -> None
 
 
 def curves(folder: str, name: str, keys: list[str]) -> str:
-    """JSON, one line a system: probabilities with three digits."""
+    """JSON, one line a system: probabilities with five digits."""
     limits: dict[str, list[float]] = {}
     systems: dict[float, dict[str, Any]] = {}
     for row in read(folder, "reliability"):
@@ -41,7 +41,7 @@ def curves(folder: str, name: str, keys: list[str]) -> str:
         if limit not in limits.setdefault(quantity, []):
             limits[quantity].append(limit)
         system = systems.setdefault(row["system"], {"of": {key: row[key] for key in keys}})
-        system.setdefault(quantity, []).append(None if probability is None else float(f"{probability:.3g}"))
+        system.setdefault(quantity, []).append(None if probability is None else float(f"{probability:.5g}"))
     lines = ",\n".join(json.dumps(system) for system in systems.values())
     return f'{{"study": {json.dumps(name)}, "limits": {json.dumps(limits)}, "systems": [\n{lines}\n]}}\n'
 

@@ -36,7 +36,8 @@ std::optional<std::string> stop_of_halves(const BearingSystem &system, const Sys
   const double slip = system.interface_slip(state.u).head<2>().norm(); // halves may part, too
   if (slip <= slider.interface_gap) return {};
   return fmt::format("at {} the halves of the slider have slipped {:.2f} mm, to their stop (slider.interface_gap_mm "
-                     "{:g}), which finite elements do not have: nothing beyond is a result",
+                     "{:g}), which finite elements do not have: nothing beyond is a result; `rimpact reduced` with "
+                     "reduced.model \"lir-dcfp\" has it",
                      where, 1e3 * slip, 1e3 * slider.interface_gap);
 }
 

@@ -75,8 +75,10 @@ double SlidingStack::part() {
 
 void SlidingStack::carry_over(const SlidingStack &old) {
   if (model_.turns() && !model_.mesh.half)
-    throw SolverStopped("the state could not be carried over to the mesh with one more sector: the face of a slider "
-                        "between two dishes has other points there; try rung `rim`, which meshes any side");
+    throw SolverStopped(
+        "the state could not be carried over to the mesh with one more sector: the face of a slider "
+        "between two dishes has other points there; move it along x, where a half model serves, or try rung "
+        "`rim`, which meshes any side of a slider of one piece");
   const MeshTransfer transfer(old.model_.space, model_.space);
   state = active().at_rest();
   const auto by_dof = [&](const Eigen::VectorXd &there) { // the bodies' dofs stand behind the nodes'

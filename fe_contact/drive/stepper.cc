@@ -36,7 +36,8 @@ Attempt Stepper::attempt(double t, double dt) {
 
 Attempt Stepper::refuse(const SystemState &before, Attempt cut) {
   state() = before;
-  if (cut.error > 0 && std::isfinite(cut.error)) state().refused_error = cut.error;
+  constexpr double most_kept = 1e15;
+  if (cut.error > 0 && std::isfinite(cut.error)) state().refused_error = std::min(cut.error, most_kept);
   ++system().work.cuts;
   return cut;
 }

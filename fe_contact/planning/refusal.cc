@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 
 namespace rimpact::planning {
 
@@ -53,12 +54,16 @@ namespace {
 /// The dishes ask for tan(phi) of the plane between the halves, sin(phi) = R sin(atan mu) / (R - H_s / 2).
 std::optional<std::string> halves_that_slide_first(const scene::Bearing &b) {
   if (!b.has_interface()) return std::nullopt;
+  constexpr double largest_mu = 2; // of the key
   const double R = b.surface.R0, mu = b.contact.steel_ertalyte, holds = *b.slider.mu_interface,
-               asked = std::tan(std::asin(R * std::sin(std::atan(mu)) / (R - b.slider.height / 2)));
+               sine = R * std::sin(std::atan(mu)) / (R - b.slider.height / 2),
+               asked = sine < 1 ? std::tan(std::asin(sine)) : std::numeric_limits<double>::infinity();
   if (holds > asked) return std::nullopt;
-  return fmt::format("bearing.slider.mu_interface {:g} must be above {:.4g}, which the dishes ask of it "
-                     "(contact.steel_ertalyte {:g}): the halves would slide before the slider does",
-                     holds, asked, mu);
+  return fmt::format(
+      "bearing.slider.mu_interface {:g} must be above {:.4g}, which the dishes ask of it "
+      "(bearing.contact.steel_ertalyte {:g}): the halves would slide before the slider does; {}lower the "
+      "friction of the dishes",
+      holds, asked, mu, asked < largest_mu ? "raise it, or " : "");
 }
 
 /// A quasi-static path goes into the rims where the halves of the slider give way, and there alone.
@@ -66,7 +71,7 @@ std::optional<std::string> path_beyond_the_rim(const scene::Scene &scene) {
   const bool along_a_file = scene.excitation.kind == scene::ExcitationKind::path;
   if (const Plan plan = make_plan(scene); plan.rim_takes_part && !goes_into_the_rim(plan, scene.bearing))
     return fmt::format(
-        "excitation.{} {} carries the slider to the rim, L_c = {} m; a quasi-static path must stay "
+        "excitation.{} {:g} carries the slider to the rim, L_c = {:.6g} m; a quasi-static path must stay "
         "below it{}",
         along_a_file ? "file reaches" : "amplitude_m",
         scene.excitation.scale * (along_a_file ? scene.excitation.path.reach() : scene.excitation.largest_amplitude()),
@@ -94,13 +99,13 @@ std::optional<std::string> refusal(const scene::Scene &scene) {
     return name + " is not in this build's rung `" + rung +
            "`; it has: cyclic, figure-eight, path, push, ricker, record, window";
   if (stands && kind == Kind::window && !scene.excitation.with_weight)
-    return "a weightless window has nothing that holds the stack on its dish: set excitation.with to "
-           "[\"weight\", \"friction\"], or run it on rung `rim`";
+    return std::string("a weightless window has nothing that holds the stack on its dish: set excitation.with to "
+                       "[\"weight\", \"friction\"]") +
+           (scene.bearing.has_interface() ? "" : ", or run it on rung `rim`");
   if (stands && scene.load.vertical <= 0)
     return fmt::format(
-        "load.vertical_kN {:g} has nothing that holds the stack on its dish: rung `{}` needs a weight > 0; rung "
-        "`rim` can do without",
-        scene.load.vertical / 1e3, rung);
+        "load.vertical_kN {:g} has nothing that holds the stack on its dish: rung `{}` needs a weight > 0{}",
+        scene.load.vertical / 1e3, rung, scene.bearing.has_interface() ? "" : "; rung `rim` can do without");
   if (auto reason = halves_that_slide_first(scene.bearing)) return reason;
   if (!stands && scene.bearing.has_interface())
     return fmt::format("bearing.slider.mu_interface {:g} is not for rung `{}`, whose slider is one piece: try --rung "

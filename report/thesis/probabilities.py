@@ -36,6 +36,11 @@ def _same(value: Any, text: str) -> bool:
     return any(value == (float(one) if isinstance(value, (int, float)) else one) for one in text.split("|"))
 
 
+def _told(key: str, value: Any) -> str:
+    """A word as it is, a number after the last part of its key."""
+    return value if isinstance(value, str) else f"{short(key)} {shown(value)}"
+
+
 def probability(study: dict[str, Any], system: dict[str, Any], quantity: str, limit: float) -> float:
     return float(system[quantity][study["limits"][quantity].index(limit)])
 
@@ -63,7 +68,7 @@ def draw_probabilities(ax: Axes, panel: dict[str, Any], runs: Runs) -> bool:
     study, styles = runs.summary(panel["of"]), Styles()
     for system in systems_of(study, panel["systems"]):
         drawn = [(limit, value) for limit, value in zip(study["limits"][panel["y"]], system[panel["y"]]) if value]
-        style = styles.of(shown(system["of"][panel["colour"]]), f"{short(panel['dashes'])} {shown(system['of'][panel['dashes']])}")
+        style = styles.of(*(_told(panel[what], system["of"][panel[what]]) for what in ("colour", "dashes")))
         ax.semilogy([limit for limit, _ in drawn], [value for _, value in drawn], lw=0.8, **style)
     styles.explain(ax)
     return True
@@ -85,7 +90,7 @@ def reductions(study: dict[str, Any], named: list[str], quantity: str, limit: fl
     sets: dict[tuple[str, ...], dict[str, float]] = {}
     fixed = {text.split("=")[0] for text in named if "|" not in text} | {"device"}
     for system in systems_of(study, named):
-        told = tuple(f"{value}" if isinstance(value, str) else f"{short(key)} {shown(value)}" for key, value in system["of"].items() if key not in fixed)
+        told = tuple(_told(key, value) for key, value in system["of"].items() if key not in fixed)
         sets.setdefault(told, {})[system["of"]["device"]] = probability(study, system, quantity, limit)
     for told, of_device in sets.items():
         own = of_device.pop(reference)

@@ -43,10 +43,11 @@ def in_terminal(*arguments: str, **environment: str) -> str:
 class Refusals(unittest.TestCase):
     """Bad input is refused with one sentence and the right exit code."""
 
-    def refused(self, code: int, *needles: str, arguments: Sequence[str]) -> None:
+    def refused(self, code: int, *needles: str, arguments: Sequence[str]) -> Done:
         run = rimpact(*arguments)
         self.assertEqual(run.returncode, code, run.stderr)
         self.assertEqual(run.stdout, "")
         self.assertEqual(len([line for line in run.stderr.splitlines() if line.startswith("error:")]), 1, run.stderr)
         for needle in needles:
             self.assertIn(needle, run.stderr)
+        return run

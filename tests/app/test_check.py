@@ -1,6 +1,7 @@
 """`rimpact check` refuses what cannot be built or run, and says of a good scene what its run will be."""
 import json
 import os
+import re
 import tempfile
 import unittest
 
@@ -33,6 +34,22 @@ class RefusedScenes(Refusals):
     def test_models_without_a_rung(self):
         self.refused(2, "one dish or two alike", "rimpact reduced", arguments=["check", "lir-dcfp-stages"])
         self.refused(2, "superstructure.kind", "rigid mass", arguments=["check", "frame-four-dof"])
+
+    def test_verbs_that_press_a_rim_want_it_in_bearing(self):
+        for verb in ("main", "geometry", "study", "curve"):
+            with self.subTest(verb):
+                self.refused(2, "has its bearing in [isolator]", f"{verb} takes one that [bearing] gives", "rimpact reduced",
+                             "surface.concave", arguments=[verb, "lir-dcfp-specimen", "-o", "/proc/nowhere"])
+                self.refused(2, "the bearings of its stops", arguments=[verb, "tfp-pulse", "-o", "/proc/nowhere"])
+
+    def test_rims_that_overlap_at_rest_clear_by_either_way_that_is_offered(self):
+        low = ["check", "impact-window", "--set", "bearing.name=dcfp-155", "--set", "bearing.slider.height_mm=90"]
+        said = self.refused(2, "lie in one another", arguments=low).stderr
+        higher, lower = re.search(r"slider.height_mm must be ([0-9.]+) mm or more, or rim.height_mm ([0-9.]+) mm or less", said).groups()
+        self.assertEqual(rimpact(*low, "--set", f"bearing.slider.height_mm={higher}").returncode, 0)
+        self.assertEqual(rimpact(*low, "--set", f"bearing.rim.height_mm={lower}").returncode, 0)
+        shallow = ["check", "impact-window", "--set", "bearing.name=dcfp-155", "--set", "bearing.surface.planar_radius_mm=390"]  # a rim low enough would not meet the slider's side
+        self.assertNotIn("or less", self.refused(2, "lie in one another", arguments=shallow).stderr)
 
     def test_wrong_type(self):
         self.check('excitation.scale="much"', "scale")
@@ -72,6 +89,9 @@ class RefusedScenes(Refusals):
         self.refused(2, "bearing.slider.mu_interface 0.05", "0.05167",
                      arguments=["run", *halves, "--rung", "rigid-dish", "--set", "bearing.slider.mu_interface=0.05", "--dry-run"])
         self.refused(2, "main finds the law of a rim", arguments=["main", "lir-dcfp-155", "--dry-run"])
+        weightless = ["impact-window", "--set", "bearing.name=lir-dcfp-155", "--rung", "rigid-dish"]
+        run = self.refused(2, 'set excitation.with to ["weight", "friction"]', arguments=["run", *weightless, "--dry-run"])
+        self.assertNotIn("`rim`", run.stderr)  # which has a slider of one piece
         done = rimpact("run", *halves, "--rung", "rigid-dish", "--dry-run")
         self.assertEqual(done.returncode, 0, done.stderr)
 

@@ -95,6 +95,10 @@ TEST(Doubts, TheThesissPairBelongsToOneBearing) {
   own = s, own.reduced.model = ModelKind::dcfp;
   ASSERT_EQ(doubts_of_element(own).size(), 1u) << "another kind of bearing";
   EXPECT_NE(doubts_of_element(own)[0].find("not this isolator's"), std::string::npos) << doubts_of_element(own)[0];
+  EXPECT_NE(doubts_of_element(own)[0].find("surface.concave"), std::string::npos) << doubts_of_element(own)[0];
+  own.reduced.model = ModelKind::tfp;
+  EXPECT_NE(doubts_of_element(own)[0].find("tfp-kim-2023-inner"), std::string::npos) << doubts_of_element(own)[0];
+  own.reduced.model = ModelKind::dcfp;
   own.reduced.k_i = 1e8;
   EXPECT_TRUE(doubts_of_element(own).empty()) << "k_i is the user's";
   own.reduced.fitted_rim = rim_identity(s.bearing); // a law of one dish's rim, whichever it is
