@@ -1,5 +1,6 @@
 #include "fe_contact/drive/state_fields.h"
 
+#include "fe_contact/drive/step_control.h"
 #include <algorithm>
 
 namespace rimpact::fe {
@@ -83,7 +84,7 @@ void visit(StateVisitor &v, SystemState &state) {
   v.number("dt_before", state.dt_before, {0, most_steps});
   visit_change(v, "change_before", state.dt_before, n, state.change_before);
   v.integer("growth_hold", state.growth_hold, 0, 100);
-  v.number("refused_error", state.refused_error, {0, 1e15});
+  v.number("refused_error", state.refused_error, {0, most_refused_error});
   v.part("history", [&] { visit(v, state.history); });
   v.part("energies", [&] { visit(v, state.energies); });
   for (std::size_t i = 0; i < state.contacts.size(); ++i) {

@@ -18,6 +18,9 @@ struct StepControl {
   Attempt assess(double error, double dt, bool may_be_cut, bool growth_hold, double refused = 0) const;
 };
 
+/// The largest error of a refused step that is kept, in tolerances: none near it counts, and a checkpoint is held to
+/// it.
+inline constexpr double most_refused_error = 1e15;
 /// Iterations after which Newton is given up where its residual creeps and the step may be cut.
 inline constexpr int patience_of_newton = 6;
 

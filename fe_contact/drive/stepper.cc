@@ -1,5 +1,6 @@
 #include "fe_contact/drive/stepper.h"
 
+#include "fe_contact/drive/step_control.h"
 #include <algorithm>
 #include <cmath>
 
@@ -36,8 +37,7 @@ Attempt Stepper::attempt(double t, double dt) {
 
 Attempt Stepper::refuse(const SystemState &before, Attempt cut) {
   state() = before;
-  constexpr double most_kept = 1e15;
-  if (cut.error > 0 && std::isfinite(cut.error)) state().refused_error = std::min(cut.error, most_kept);
+  if (cut.error > 0 && std::isfinite(cut.error)) state().refused_error = std::min(cut.error, most_refused_error);
   ++system().work.cuts;
   return cut;
 }

@@ -125,8 +125,9 @@ class UnderAFrame(Scratch):
 
 class Refused(Refusals):
     def test_by_finite_elements_and_what_is_of_one_dish(self) -> None:
-        for words in (["check"], ["run"], ["study"], ["main", "--dry-run"], ["geometry", "--dry-run"]):
-            self.refused(2, '"tfp"', "[bearing]", "`rimpact reduced`", arguments=[words[0], "tfp-pulse", *words[1:]])
+        for verb, said, *words in (["check", "one dish"], ["run", "one dish"], ["study", "its stops"], ["main", "its stops", "--dry-run"],
+                                   ["geometry", "its stops", "--dry-run"]):
+            self.refused(2, '"tfp"', "[bearing]", said, "`rimpact reduced`", arguments=[verb, "tfp-pulse", *words])
         for setting, needle in (('reduced.integrator="cvode"', "cvode"), ('excitation.kind="window"', "rim element of the physical model"),
                                 ('reduced.normal_force="pad"', "follow from the motion"), ("reduced.socket_friction=true", "its slider is rigid"),
                                 ("excitation.direction_deg=30", "needs \"spatial\""), ('reduced.impact_law="curve"', "impact_curve")):
