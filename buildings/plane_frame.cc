@@ -59,7 +59,7 @@ Section section_of(const PlaneFrame &f, const MemberClass &c, const char *name, 
 } // namespace
 
 void visit(KeyVisitor &v, PlaneFrame &f) {
-  const Range positive{0, huge, true}, size{0, 1e5, true};
+  const Range size{0, 1e5, true};
   v.text({"name", "of the frame"}, f.name);
   v.numbers({"x_m", "column lines"}, f.x, si, {-1e4, 1e4});
   v.numbers({"storeys_m", "from the base up"}, f.storeys, si, {0, 100, true});

@@ -105,7 +105,7 @@ Frame make_frame(const RegularBuilding &b) {
 }
 
 void visit(KeyVisitor &v, RegularBuilding &b) {
-  const Range positive{0, huge, true}, size{0, 1e5, true};
+  const Range size{0, 1e5, true};
   v.text({"name", "of the building"}, b.name);
   v.numbers({"x_m", "column lines along x, growing"}, b.x, si, {-1e4, 1e4});
   v.numbers({"y_m", "column lines along y, growing"}, b.y, si, {-1e4, 1e4});

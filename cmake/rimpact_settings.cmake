@@ -13,7 +13,7 @@ set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")
 
 option(RIMPACT_UNITY "Compile a module's sources in batches: a whole build takes half the time" OFF)
 set(CMAKE_UNITY_BUILD ${RIMPACT_UNITY})
-set(CMAKE_UNITY_BUILD_BATCH_SIZE 10)
+set(CMAKE_UNITY_BUILD_BATCH_SIZE 40)
 
 find_program(CCACHE_PROGRAM ccache)
 if(CCACHE_PROGRAM)

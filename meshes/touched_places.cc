@@ -6,7 +6,7 @@
 namespace rimpact::meshes {
 namespace {
 
-constexpr double same = 1e-9; ///< [rad]
+constexpr double same_angle = 1e-9; ///< [rad]
 
 void sort_and_merge(std::vector<double> &angles, double apart) {
   std::sort(angles.begin(), angles.end());
@@ -15,9 +15,9 @@ void sort_and_merge(std::vector<double> &angles, double apart) {
 }
 
 void cut_at_symmetry(RimArc &arc) {
-  arc.from_symmetry = arc.angles.front() < -same;
-  arc.to_symmetry = arc.angles.back() > M_PI + same;
-  const auto outside = [](double angle) { return angle < -same || angle > M_PI + same; };
+  arc.from_symmetry = arc.angles.front() < -same_angle;
+  arc.to_symmetry = arc.angles.back() > M_PI + same_angle;
+  const auto outside = [](double angle) { return angle < -same_angle || angle > M_PI + same_angle; };
   arc.angles.erase(std::remove_if(arc.angles.begin(), arc.angles.end(), outside), arc.angles.end());
 }
 
@@ -59,10 +59,10 @@ std::vector<double> from_the_first(const std::vector<double> &directions) {
   std::vector<double> places;
   for (const double direction : directions) {
     double angle = std::remainder(direction - directions.front(), 2 * M_PI);
-    if (angle < -same) angle += 2 * M_PI;
-    places.push_back(std::abs(angle) < same ? 0.0 : std::abs(angle - M_PI) < same ? M_PI : angle);
+    if (angle < -same_angle) angle += 2 * M_PI;
+    places.push_back(std::abs(angle) < same_angle ? 0.0 : std::abs(angle - M_PI) < same_angle ? M_PI : angle);
   }
-  sort_and_merge(places, same);
+  sort_and_merge(places, same_angle);
   return places;
 }
 
@@ -73,7 +73,7 @@ std::vector<double> folded(const std::vector<double> &places, double apart) {
     const double angle = place > M_PI ? 2 * M_PI - place : place;
     result.push_back(angle < apart ? 0.0 : M_PI - angle < apart ? M_PI : angle);
   }
-  sort_and_merge(result, std::max(apart, same));
+  sort_and_merge(result, std::max(apart, same_angle));
   return result;
 }
 
@@ -90,7 +90,7 @@ std::vector<RimArc> rim_arcs(const std::vector<double> &places, const PlaceSizes
   const std::size_t n = places.size();
   const auto joined = [&](std::size_t k) { // to the next
     const double next = k + 1 < n ? places[k + 1] : places[0] + 2 * M_PI;
-    return next - places[k] < 2 * sizes.reach - same;
+    return next - places[k] < 2 * sizes.reach - same_angle;
   };
   std::size_t start = 0; // where nothing comes before
   while (start < n && joined((start + n - 1) % n)) ++start;

@@ -1,6 +1,6 @@
 /// Bearing::validate(), validate_rim() and check_bearing(): what cannot be built or collides over 0..L_c is refused
 /// with both numbers.
-#include "io/files/error.h"
+#include "io/files/require.h"
 #include "scene/flow_curve.h"
 #include "scene/keys.h"
 #include "scene/range_check.h"
@@ -12,9 +12,6 @@
 namespace rimpact::scene {
 namespace {
 
-template <class... Values> void require(bool good, fmt::format_string<Values...> sentence, Values &&...values) {
-  if (!good) throw InputError(fmt::format(sentence, std::forward<Values>(values)...));
-}
 double mm(double metres) {
   return std::round(metres * 1e6) / 1e3;
 } // shown to a micrometre

@@ -1,7 +1,7 @@
 #include "scene/flow_curve.h"
 
-#include "io/files/error.h"
 #include "io/files/file.h"
+#include "io/files/require.h"
 #include "io/files/table_lines.h"
 #include "io/files/text.h"
 #include <algorithm>
@@ -17,10 +17,6 @@ constexpr double MPa = 1e6;
 constexpr double least_step = 1e-6; // of plastic strain between rows: none is a jump
 
 using Row = std::array<double, 2>;
-
-template <class... Values> void require(bool good, fmt::format_string<Values...> sentence, Values &&...values) {
-  if (!good) throw InputError(fmt::format(sentence, std::forward<Values>(values)...));
-}
 
 /// Throws InputError where the rows are not those of a flow stress. `first`: number of the first one in the file.
 void check_rows(const std::vector<Row> &rows, std::size_t first) {

@@ -6,8 +6,6 @@ namespace {
 
 constexpr const char *dishes_on_springs = ", or dishes of a building stand on springs";
 
-constexpr Range positive{0, huge, true};
-
 /// What of the model is a choice between formulas.
 void visit_readings(KeyVisitor &v, Isolator &b, ModelKind model) {
   v.choice({"damped_mass", "before the dashpots of rims, stop and contact points"}, b.damped_mass);

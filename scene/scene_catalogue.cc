@@ -145,7 +145,7 @@ rung = "rim"
 )";
 
 // The catalogue: one line a scene.
-const std::vector<BuiltinScene> &catalogue() {
+const std::vector<BuiltinScene> &scenes() {
   static const std::vector<BuiltinScene> scenes = [] {
     std::vector<BuiltinScene> list{
         {"static-unidirectional", static_unidirectional},
@@ -177,14 +177,14 @@ std::string needs_record(const std::string &scene, const std::string &record, co
 }
 
 const BuiltinScene *find_builtin_scene(const std::string &name) {
-  for (const auto &scene : catalogue())
+  for (const auto &scene : scenes())
     if (scene.name == name) return &scene;
   return nullptr;
 }
 
 std::vector<std::string> builtin_scene_names() {
   std::vector<std::string> names;
-  for (const auto &scene : catalogue()) names.push_back(scene.name);
+  for (const auto &scene : scenes()) names.push_back(scene.name);
   return names;
 }
 

@@ -29,7 +29,7 @@ void Superstructure::validate(double supported) const {
 }
 
 void visit(KeyVisitor &v, Superstructure &s) {
-  constexpr Range positive{0, huge, true}, share{0, 1}, seconds{0, 1e3, true};
+  constexpr Range share{0, 1}, seconds{0, 1e3, true};
   const bool any = v.wants(s.any()), building = v.wants(s.kind == StructureKind::shear_building);
   v.choice({.name = "kind", .meaning = "what the bearing carries"}, s.kind);
   if (any) {

@@ -1,7 +1,7 @@
 #include "scene/surface_table.h"
 
-#include "io/files/error.h"
 #include "io/files/file.h"
+#include "io/files/require.h"
 #include "io/files/table_lines.h"
 #include "io/files/text.h"
 #include "scene/surface_of_revolution.h"
@@ -54,10 +54,6 @@ public:
 private:
   std::vector<double> radius_, height_, second_;
 };
-
-template <class... Values> void require(bool good, fmt::format_string<Values...> sentence, Values &&...values) {
-  if (!good) throw InputError(fmt::format(sentence, std::forward<Values>(values)...));
-}
 
 } // namespace
 

@@ -45,12 +45,12 @@ std::string percent(const json &value) {
 }
 
 /// One reduced run's column: keys of a row begin with `key`.
-struct Column {
+struct ReducedColumn {
   std::string title, key, folder;
 };
 
-std::vector<Column> present(const Columns &columns) {
-  std::vector<Column> list;
+std::vector<ReducedColumn> present(const Columns &columns) {
+  std::vector<ReducedColumn> list;
   if (!columns.law.empty()) list.push_back({columns.law, "fitted", "/law/"});
   if (!columns.pair.empty()) list.push_back({columns.pair, "pair", "/reduced/"});
   if (!columns.published.empty()) list.push_back({columns.published, "published", "/published/"});

@@ -4,7 +4,7 @@
 #include "calibration/data/measured_run.h"
 #include "calibration/data/series.h"
 #include "calibration/data/window_cutter.h"
-#include "io/files/error.h"
+#include "io/files/require.h"
 #include "reduced_models/bearings/pad_on_dish.h"
 #include "responses/kept_run.h"
 #include <algorithm>
@@ -43,20 +43,15 @@ std::vector<Impact> merge_chatter(const std::vector<Impact> &impacts) {
   return merged;
 }
 
-void require(bool ok, const std::string &name, double value, const std::string &bound) {
-  if (!ok) throw InputError(fmt::format("{} {:g} must be {}", name, value, bound));
-}
-
-/// A word of summary.json; `otherwise` where it has none.
 } // namespace
 
 void WindowOptions::validate() const {
-  require(lead >= 0 && lead <= 1, "lead", lead, "in 0..1 m");
-  require(tail > 0, "tail", tail, "> 0 s");
-  require(force_threshold >= 0 && force_threshold <= 0.5, "force_threshold", force_threshold, "in 0..0.5");
-  require(stated_speed_error > 0, "stated_speed_error", stated_speed_error, "> 0");
-  require(minimum_samples >= 4, "minimum_samples", minimum_samples, ">= 4");
-  require(grazing_overshoot >= 0, "grazing_overshoot", grazing_overshoot, ">= 0");
+  require_bound(lead >= 0 && lead <= 1, "lead", lead, "in 0..1 m");
+  require_bound(tail > 0, "tail", tail, "> 0 s");
+  require_bound(force_threshold >= 0 && force_threshold <= 0.5, "force_threshold", force_threshold, "in 0..0.5");
+  require_bound(stated_speed_error > 0, "stated_speed_error", stated_speed_error, "> 0");
+  require_bound(minimum_samples >= 4, "minimum_samples", minimum_samples, ">= 4");
+  require_bound(grazing_overshoot >= 0, "grazing_overshoot", grazing_overshoot, ">= 0");
 }
 
 double StoredRun::peak_force() const {

@@ -12,9 +12,9 @@ struct Motion {
   double u = 0, v = 0, friction = 0, rise = 0;
 };
 
-class Flight {
+class BearingFlight {
 public:
-  Flight(const FlownBearing &bearing, const scene::GroundMotion &ground) : b_(bearing), ground_(ground) {}
+  BearingFlight(const FlownBearing &bearing, const scene::GroundMotion &ground) : b_(bearing), ground_(ground) {}
 
   void step(double t, double h) {
     const double middle = now_.u + h / 2 * now_.v, v_middle = now_.v + h / 2 * acceleration(t, now_.u, now_.v);
@@ -91,7 +91,7 @@ Arrival fly_bearing(const FlownBearing &bearing, const scene::GroundMotion &grou
   const double rim = std::numbers::pi * std::sqrt(bearing.mass / bearing.stiffness) / steps_per_half_period;
   const double held = std::sqrt(bearing.mass * bearing.dish->elastic_slip / (bearing.weight * bearing.dish->mu_fast));
   const double h = std::min({5e-5, rim, largest_angle * held});
-  Flight flight(bearing, ground);
+  BearingFlight flight(bearing, ground);
   for (double t = 0; t < duration && flight.on_dish(); t += h) flight.step(t, h);
   return flight.arrival();
 }

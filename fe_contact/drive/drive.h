@@ -9,9 +9,12 @@
 
 namespace rimpact::fe {
 
+/// Between two checkpoints; of a flight, in contact.
+constexpr int usual_steps_a_checkpoint = 25;
+
 class Drive : public Stepper {
 protected:
-  Drive(const RunOptions &options, RunRecord &record, int steps_a_checkpoint)
+  Drive(const RunOptions &options, RunRecord &record, int steps_a_checkpoint = usual_steps_a_checkpoint)
       : options_(options), record_(record), steps_a_checkpoint_(steps_a_checkpoint) {}
 
   /// The fields of the checkpoint besides the record.

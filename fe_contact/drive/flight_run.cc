@@ -14,7 +14,6 @@ namespace rimpact::fe {
 namespace {
 
 constexpr double shortest_stretch = 1e-12; ///< less than this before its end a scene has ended [s]
-constexpr int steps_a_checkpoint = 25;     ///< in contact
 
 void visit_bearing(StateVisitor &v, reduced::BearingState &bearing, double end) {
   constexpr Limits reach{-1e4, 1e4};
@@ -30,7 +29,7 @@ void visit_bearing(StateVisitor &v, reduced::BearingState &bearing, double end) 
 
 FlightRun::FlightRun(const scene::Scene &scene, const planning::Plan &plan, const RunOptions &options,
                      BearingSystem &system, RunRecord &record)
-    : Drive(options, record, steps_a_checkpoint), scene_(scene), plan_(plan), system_(system), model_(scene),
+    : Drive(options, record), scene_(scene), plan_(plan), system_(system), model_(scene),
       bearing_(model_.initial_state()), arcs_(system, model_.height(scene.bearing.lateral_capacity(), 0).z,
                                               MassLoads(scene, model_).initial_support() == Support::held),
       contact_(scene, plan, system, arcs_, model_) {}

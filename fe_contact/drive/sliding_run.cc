@@ -16,7 +16,6 @@ namespace rimpact::fe {
 namespace {
 
 constexpr double parting_gap = 1e-3; // the rim's solids leave here, the walls moving apart [m]
-constexpr int steps_a_checkpoint = 25;
 // A step's unaccounted energy over the largest; while it slides, what rings is the weight on the stack.
 constexpr double impact_energy_tolerance = 2e-5, sliding_energy_tolerance = 1e-4;
 
@@ -24,7 +23,7 @@ constexpr double impact_energy_tolerance = 2e-5, sliding_energy_tolerance = 1e-4
 
 SlidingRun::SlidingRun(const Rung &rung, const scene::Scene &scene, const planning::Plan &plan,
                        const RunOptions &options, RunRecord &record)
-    : Drive(options, record, steps_a_checkpoint), scene_(scene), plan_(plan), stack_(rung, scene, plan_),
+    : Drive(options, record), scene_(scene), plan_(plan), stack_(rung, scene, plan_),
       ground_(scene.excitation, scene.load.gravity), pace_(plan_, 0.1 * plan.step_in_contact) {
   motion_.step = step_options(rung, scene, plan);
   motion_.contact_step = 0.1 * plan.step_in_contact;

@@ -36,6 +36,7 @@ struct Range {
 inline constexpr double unbounded = std::numeric_limits<double>::infinity();
 /// Any finite magnitude the machine's arithmetic survives; lengths are far below it.
 inline constexpr double huge = 1e12;
+inline constexpr Range positive{0, huge, true};
 
 struct Key {
   const char *name;

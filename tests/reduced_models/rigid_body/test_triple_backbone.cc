@@ -94,7 +94,7 @@ TEST(TripleBackbone, WholeLoopsFollowTheClosedFormAtFiniteTurns) {
       s.isolator.contact_stiffness = own.contact_stiffness, s.isolator.slider_mass = own.slider_mass;
       s.isolator.inner.mass = own.inner.mass, s.reduced.k_i = 1e10, s.isolator.step_tolerance = 1e-3;
     }
-    const auto scene = cyclic(s, 0.97 * s.lateral_capacity(), 2);
+    const auto scene = cyclic(s, 0.97 * s.lateral_capacity(), 1.25);
     const auto run = simulate(scene);
     ASSERT_EQ(run.summary.status, RunStatus::done) << run.summary.reason;
     TripleLoop loop(s.isolator, {s.reduced.mu_fast, s.isolator.inner.mu_fast, *s.isolator.top_mu_fast});
