@@ -13,6 +13,7 @@
 #include "responses/identity.h"
 #include "scene/doubts.h"
 #include <cstdint>
+#include <filesystem>
 #include <fmt/format.h>
 
 namespace rimpact::app {
@@ -23,7 +24,7 @@ struct MainOptions {
               until;
   MainChoices choices;
   std::size_t at_once = 0;
-  bool dry_run = false;
+  bool dry_run = false, no_report = false;
   DocumentWords document;
 };
 
@@ -113,13 +114,14 @@ void run_main(MainOptions options, Console &console) {
   make_runs(runner, jobs, early, context);
   context.seconds = spent();
   MainResults results = make_results(target, jobs, context, console);
-  const int code = python({"report", options.folder});
+  if (options.no_report) std::filesystem::remove(options.folder + "/report.html"); // of other results
+  const bool made = !options.no_report && python({"report", options.folder}) == 0;
   const std::string report = options.folder + "/report.html";
-  results.main["report"] = code == 0 ? nlohmann::json(report) : nlohmann::json();
+  results.main["report"] = made ? nlohmann::json(report) : nlohmann::json();
   console.data(console.json ? json_text(results.main) : results.text);
   if (interrupted()) throw Error(ExitCode::interrupted, "interrupted; the same command goes on where it stopped");
-  if (code != 0) throw IoError("the report was not written; try rimpact report " + options.folder);
-  if (!console.json) console.data(fmt::format("report: {}  ({} in all)\n", report, duration(spent())));
+  if (!made && !options.no_report) throw IoError("the report was not written; try rimpact report " + options.folder);
+  if (made && !console.json) console.data(fmt::format("report: {}  ({} in all)\n", report, duration(spent())));
   require_done(jobs);
   if (results.failure) std::rethrow_exception(results.failure);
 }
@@ -153,6 +155,7 @@ void add_main(CLI::App &verb, Console &console) {
   verb.add_flag("--dry-run", options->dry_run, "list the runs and the time they take, and stop");
   verb.add_option("--laws", options->laws, "impact laws to rank in the report: all, none or names")
       ->capture_default_str();
+  verb.add_flag("--no-report", options->no_report, "leaves report.html out; an earlier one is removed");
   add_document_options(verb, options->document);
   console.add_common(verb);
   console.add_json(verb);

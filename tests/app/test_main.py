@@ -39,8 +39,9 @@ class Main(unittest.TestCase):
     def environment(self, **more):
         return {"RIMPACT_FE_PROGRAM": STAND_IN, "STAND_IN_LOG": self.log, **more}
 
-    def main(self, *arguments, **more):
-        return rimpact("main", *arguments, "--laws", "none", "-o", self.folder, **self.environment(**more))
+    def main(self, *arguments, report=False, **more):
+        words = [*arguments, *([] if report else ["--no-report"])]
+        return rimpact("main", *words, "--laws", "none", "-o", self.folder, **self.environment(**more))
 
     def calls(self):
         if not os.path.exists(self.log):
@@ -73,7 +74,7 @@ class Main(unittest.TestCase):
             json.dump({**summary, "status": "interrupted"}, file)
         with open(os.path.join(run_folder, "checkpoint.h5"), "w"):
             pass
-        run = self.main()
+        run = self.main(report=True)
         self.assertEqual(run.returncode, 0, run.stderr)
         self.assertEqual(run.stderr.count("already done, kept"), N_RUNS - 1)
         self.assertEqual(len(self.calls()), 1)
@@ -108,7 +109,7 @@ class Main(unittest.TestCase):
         self.assertEqual(refused.returncode, 2)
         self.assertIn("of another scene", refused.stderr)
         self.assertEqual(self.calls(), [])
-        run = self.main("fps-225", "--quiet", "--force", STAND_IN_FAIL="*")
+        run = self.main("fps-225", "--quiet", "--force", report=True, STAND_IN_FAIL="*")
         self.assertEqual(run.returncode, 4)
         self.assertIn("no run of the main job ended well", run.stderr)
         self.assertEqual(len(self.calls()), N_RUNS)
@@ -116,7 +117,7 @@ class Main(unittest.TestCase):
     def test_a_failing_run_does_not_lose_the_others(self):
         shutil.copytree(self.done, self.folder)
         shutil.rmtree(os.path.join(self.folder, "runs", "window-0.20"))
-        run = self.main("--quiet", STAND_IN_FAIL="window-0.20")
+        run = self.main("--quiet", report=True, STAND_IN_FAIL="window-0.20")
         self.assertEqual(run.returncode, 4)
         self.assertIn("window-0.20: the solver stopped because the test asked for it", run.stderr)
         self.assertEqual(len(read(self.folder, "main.json")["comparison"]), N_RUNS - 1)
@@ -140,6 +141,8 @@ class Main(unittest.TestCase):
         self.assertEqual(run.returncode, 0, run.stderr)
         sentence = "ricker-0.38g-1.5s is left out: no scale up to 3 takes the slider to the rim"
         self.assertIn(sentence, run.stderr)
+        self.assertNotIn("report: ", run.stdout)
+        self.assertFalse(os.path.exists(os.path.join(self.folder, "report.html")), "--no-report")
         main = read(self.folder, "main.json")
         self.assertIn(sentence, main["warnings"])
         self.assertEqual([row["name"] for row in main["runs"] if row["name"].startswith("ricker-0.38g")], [])
@@ -176,16 +179,16 @@ class Main(unittest.TestCase):
         self.assertGreater(max(row["approach_speed_m_s"] for row in pulses), 0.5)
         self.assertFalse(os.path.exists(os.path.join(self.folder, "published")))
 
-    def band(self, *more, rate=""):
+    def band(self, *more, rate="", report=False):
         """What the main job says of an own bearing's steel; its whole calibration beside."""
         with open(self.own_bearing(), "a") as file:
             file.write(rate)
-        run = self.main(os.path.join(self.temporary.name, "own.toml"), "--windows-only", "--speeds", "0.1,0.125,0.2,0.4", "--quiet", *more)
+        run = self.main(os.path.join(self.temporary.name, "own.toml"), "--windows-only", "--speeds", "0.1,0.125,0.2,0.4", "--quiet", *more, report=report)
         self.assertEqual(run.returncode, 0, run.stderr)
         return read(self.folder, "calibration", "calibration.json")["answer"]["steel_band"], run
 
     def test_a_bearing_of_ones_own_has_a_band_of_its_steel(self):
-        band, run = self.band()
+        band, run = self.band(report=True)
         self.assertEqual(sorted(os.listdir(os.path.join(self.folder, "twins"))), ["window-0.10-fast", "window-0.125-fast", "window-0.40-fast"])
         self.assertEqual((band["law_is_of"], band["rate_is_assumption"], band["calibration"]), ("static", True, "fast"))
         self.assertEqual([row["speed_m_s"] for row in band["rows"]], [0.1, 0.125, 0.4])
@@ -283,7 +286,8 @@ class Main(unittest.TestCase):
         for jobs in (1, 3):
             trace = os.path.join(self.temporary.name, f"trace{jobs}")
             folder = os.path.join(self.temporary.name, f"jobs{jobs}")
-            rimpact("main", "--windows-only", "--laws", "none", "--jobs", str(jobs), "-o", folder, "--quiet", **self.environment(STAND_IN_SLEEP="1", STAND_IN_TRACE=trace))
+            rimpact("main", "--windows-only", "--laws", "none", "--jobs", str(jobs), "-o", folder, "--quiet", "--no-report",
+                    **self.environment(STAND_IN_SLEEP="1", STAND_IN_TRACE=trace))
             running = most = 0
             with open(trace) as file:
                 for word in file.read().split():
