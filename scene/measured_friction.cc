@@ -29,7 +29,7 @@ void visit(KeyVisitor &v, MeasuredFriction &m) {
   v.number({"conductivity_W_per_m_K", "of the sliding steel (stainless: Constantinou et al. 2007)"},
            m.heat.conductivity, si, {0, 1e4, true});
   v.number({"diffusivity_mm2_per_s", "of the sliding steel (stainless: Constantinou et al. 2007)"}, m.heat.diffusivity,
-           Unit{1e6, true}, {0, 1e4, true});
+           Unit{1e-6, false}, {0, 1e4, true});
 }
 
 double contact_radius(const Scene &scene) {

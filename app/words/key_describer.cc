@@ -1,8 +1,12 @@
 #include "app/words/key_describer.h"
 
 #include "io/files/key_list.h"
+#include "io/files/text.h"
+#include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <set>
+#include <string_view>
 
 namespace rimpact::app {
 
@@ -71,17 +75,21 @@ std::map<std::string, std::string> presets_of(const std::function<void(KeyVisito
 }
 
 std::string unit_in_name(const std::string &name) {
-  static const std::pair<const char *, const char *> endings[] = {
-      // the longer ones first
-      {"_kN_per_m2", "kN/m2"}, {"_kN_per_m", "kN/m"}, {"_m_per_s2", "m/s2"}, {"_kg_per_m3", "kg/m3"},
-      {"_m_per_s", "m/s"},     {"_s_per_m", "s/m"},   {"_kg_m2", "kg m2"},   {"_per_m5", "1/m5"},
-      {"_per_m4", "1/m4"},     {"_per_m3", "1/m3"},   {"_per_m2", "1/m2"},   {"_per_m", "1/m"},
-      {"_per_s", "1/s"},       {"_MPa", "MPa"},       {"_GPa", "GPa"},       {"_kN_m", "kN m"},
-      {"_deg", "deg"},         {"_kN", "kN"},         {"_kg", "kg"},         {"_mm", "mm"},
-      {"_ms", "ms"},           {"_m", "m"},           {"_g", "g"},           {"_s", "s"}};
-  for (const auto &[ending, unit] : endings)
-    if (name.ends_with(ending)) return unit;
-  return {};
+  static const std::set<std::string_view> units{"kN", "kg", "g",  "mm",  "mm2", "m",   "m2", "m3", "m4", "m5",
+                                                "s",  "s2", "ms", "deg", "MPa", "GPa", "J",  "W",  "K",  "HB"};
+  if (name.ends_with("temperature_C")) return "C";
+  auto parts = split(name, '_');
+  parts.erase(parts.begin()); // what the number is called
+  auto begin = parts.end();
+  const auto names_one = [&](const auto &part) { // K within a name is a number of its own, not the kelvin
+    return part == "per" || (units.contains(part) && (part != "K" || begin == parts.end()));
+  };
+  while (begin != parts.begin() && names_one(*(begin - 1))) --begin;
+  const auto per = std::find(begin, parts.end(), "per");
+  const std::string top = fmt::format("{}", fmt::join(begin, per, " "));
+  if (per == parts.end()) return top;
+  const std::string bottom = fmt::format("{}", fmt::join(per + 1, parts.end(), " "));
+  return (top.empty() ? "1" : top) + "/" + (parts.end() - per > 2 ? "(" + bottom + ")" : bottom);
 }
 
 } // namespace rimpact::app

@@ -12,9 +12,9 @@ namespace rimpact::friction {
 
 /// What the heat flows into.
 struct HeatSink {
-  double conductivity = 18;     ///< k [W/(m K)], > 0; stainless steel
-  double diffusivity = 4.44e-6; ///< D = k / (rho c) [m^2/s], > 0
-  double at_start = 20;         ///< T_0 [degrees Celsius]
+  double conductivity = 18;         ///< k [W/(m K)], > 0; stainless steel
+  double diffusivity = 4.44 * 1e-6; ///< D = k / (rho c) [m^2/s], > 0
+  double at_start = 20;             ///< T_0 [degrees Celsius]
   bool operator==(const HeatSink &) const = default;
 };
 

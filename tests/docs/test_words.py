@@ -58,6 +58,18 @@ class Words(unittest.TestCase):
                 self.assertEqual(done.returncode, 2, key["key"])
                 self.assertNotIn("unknown key", done.stderr, key["key"])
 
+    def test_a_unit_is_that_of_the_name(self):
+        listed = json.loads(rimpact("list", "keys", "--json").stdout)
+        names = [(key["key"], key["unit"]) for group in ["keys", *(file["keys"] for file in listed["files"])] for key in listed[group]]
+        self.assertGreater(sum("_per_" in name for name, _ in names), 30)
+        for name, unit in names:
+            if part := re.search(r"([A-Za-z0-9]+)_per_(\w+)$", name):
+                above = part[1] if part[1] in ("kN", "kg", "mm2", "m", "s", "J", "W") else "1"
+                below = part[2] if "_" not in part[2] else f"({part[2].replace('_', ' ')})"
+                self.assertEqual(unit, f"{above}/{below}", name)
+            elif part := re.search(r"_(mm|m|s|MPa|GPa|kN|kg|deg|ms|K|HB)$|temperature_(C)$", name):
+                self.assertEqual(unit.split()[-1], part[1] or part[2], name)
+
     def test_conditions_name_the_choice(self):
         keys = {key["key"]: key for key in json.loads(rimpact("list", "keys", "--json").stdout)["keys"]}
         self.assertEqual(keys["excitation.travel_mm"]["when"], "excitation.kind = push")
