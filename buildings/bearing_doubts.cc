@@ -8,18 +8,30 @@
 #include <set>
 
 namespace rimpact::buildings {
+namespace {
+
+/// The first of the bearings that is built as this one.
+std::size_t first_alike(const std::vector<scene::Scene> &bearings, std::size_t b) {
+  std::size_t first = 0;
+  while (bearings[first].bearing_name() != bearings[b].bearing_name() ||
+         bearings[first].isolator != bearings[b].isolator)
+    ++first;
+  return first;
+}
+
+} // namespace
 
 std::vector<std::string> doubts_of_elements(const std::vector<scene::Scene> &bearings,
                                             const std::vector<double> &reactions) {
-  std::map<std::string, std::pair<std::size_t, std::size_t>> extremes; // by name: lightest and heaviest loaded
+  std::map<std::size_t, std::pair<std::size_t, std::size_t>> extremes; // of each kind, lightest and heaviest loaded
   for (std::size_t b = 0; b < bearings.size(); ++b) {
-    auto &[light, heavy] = extremes.insert({bearings[b].bearing.name, {b, b}}).first->second;
+    auto &[light, heavy] = extremes.insert({first_alike(bearings, b), {b, b}}).first->second;
     if (reactions[b] < reactions[light]) light = b;
     if (reactions[b] > reactions[heavy]) heavy = b;
   }
   std::vector<std::string> sentences;
   std::set<std::string> said;
-  for (const auto &[name, pair] : extremes)
+  for (const auto &[kind, pair] : extremes)
     for (const std::size_t b : {pair.first, pair.second}) {
       if (!(reactions[b] > 0)) continue;
       scene::Scene own = bearings[b];

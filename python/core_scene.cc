@@ -33,7 +33,7 @@ void add_scene(py::module_ &module) {
   using Guard = py::call_guard<py::gil_scoped_release>;
   py::class_<SceneHandle>(module, "Scene")
       .def_property_readonly("name", [](const SceneHandle &h) { return h.scene->name; })
-      .def_property_readonly("bearing", [](const SceneHandle &h) { return h.scene->bearing.name; })
+      .def_property_readonly("bearing", [](const SceneHandle &h) { return h.scene->bearing_name(); })
       .def_property_readonly("model", [](const SceneHandle &h) { return word(h.scene->reduced.model); })
       .def_property_readonly("impact_law", [](const SceneHandle &h) { return h.scene->reduced.impact_law->name; })
       .def_property_readonly("mass", [](const SceneHandle &h) { return h.scene->load.mass; })

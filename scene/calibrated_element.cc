@@ -8,6 +8,7 @@
 #include "scene/scene_keys.h"
 #include "scene/stored_calibration.h"
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
@@ -51,6 +52,17 @@ StackTerms terms_of(const StoredStack &stack) {
   return terms;
 }
 
+constexpr std::array plate_keys{"fitted_radius_m", "fitted_slider_height_mm", "fitted_slider_diameter_mm",
+                                "fitted_rim_height_mm", "fitted_capacity_m"};
+
+void take_plates(const FittedPlates &plates, Element &element) {
+  const std::array known{std::pair{plates.radius, si}, std::pair{plates.slider_height, milli},
+                         std::pair{plates.slider_diameter, milli}, std::pair{plates.rim_height, milli},
+                         std::pair{plates.capacity, si}};
+  for (std::size_t i = 0; i < known.size(); ++i)
+    if (const auto &[value, unit] = known[i]; value) element.values[plate_keys[i]] = file_number(*value, unit);
+}
+
 void take_answer(const StoredAnswer &answer, Element &element) {
   const StoredLaw &law = answer.law;
   element.text("impact_law", law.name);
@@ -67,6 +79,7 @@ void take_answer(const StoredAnswer &answer, Element &element) {
   }
   if (answer.stack) element.stack = terms_of(*answer.stack);
   element.rims = answer.rims_in_series;
+  if (answer.plates) take_plates(*answer.plates, element);
 }
 
 /// [reduced] of calibration.toml, the element's keys alone.
@@ -146,11 +159,14 @@ void place(Element &element, const Bearing &bearing) {
   if (std::abs(offset) > rounding) element.values["capacity_offset_mm"] = fmt::format("{}", 1e3 * offset);
 }
 
-/// The rigid-body models have each rim by itself.
+/// The rigid-body models have each rim by itself, and two plates of [isolator] around it.
 void take_one_rim(const TomlFile &file, Element &element) {
-  const auto *model = file.find("reduced.model");
-  const bool by_rim = model && model->is_string() && model->as_string()->get() != word(ModelKind::physical);
-  if (element.rims == 1 || !by_rim) return;
+  const auto *node = file.find("reduced.model");
+  const std::string model = node && node->is_string() ? node->as_string()->get() : word(ModelKind::physical);
+  const bool rigid_bodies = model != word(ModelKind::physical);
+  if (!rigid_bodies || model == word(ModelKind::tfp)) // whose rims are those of two of its faces
+    for (const char *key : plate_keys) element.values.erase(key);
+  if (element.rims == 1 || !rigid_bodies) return;
   TomlFile values("", element.origin);
   for (const auto &[key, value] : element.values) values.set("reduced." + key + "=" + value, element.origin);
   Scene scene;
@@ -160,10 +176,10 @@ void take_one_rim(const TomlFile &file, Element &element) {
   if (!one)
     throw InputError(fmt::format("{}: its law {} is that of two rims in series, and of one alone it is no law of that "
                                  "form: reduced.model {} needs law elastoplastic, or one of a spring and a dashpot",
-                                 element.origin, scene.reduced.impact_law->name, model->as_string()->get()));
+                                 element.origin, scene.reduced.impact_law->name, model));
   element.values["k_i_kN_per_m"] = fmt::format("{}", one->k_i / 1e3);
   element.values.erase("capacity_offset_mm");
-  element.values.erase("fitted_rim"); // the plates are told by other keys
+  element.values.erase("fitted_rim"); // [isolator] has other keys for its plates
 }
 
 } // namespace
@@ -175,6 +191,7 @@ const std::vector<std::string> &element_keys() {
     for (const char *key : {"fitted_from_m_per_s", "fitted_to_m_per_s", "fitted_mass_kg", "fitted_speeds_mass_kg",
                             "fitted_rim", "foot_joint", "foot_force_kN", "taken_from"})
       list.emplace_back(key);
+    list.insert(list.end(), plate_keys.begin(), plate_keys.end());
     return list;
   }();
   return keys;

@@ -38,9 +38,8 @@ std::string motion_line(const Scene &scene) {
 
 std::string bearing_line(const Scene &scene) {
   if (scene.rigid_bodies())
-    return fmt::format("{} {}, C_t = {:.1f} mm, R_eff = {:.3f} m", word(scene.reduced.model),
-                       scene.isolator.name.empty() ? "of [isolator]" : scene.isolator.name,
-                       1e3 * scene.lateral_capacity(), scene.isolator.effective_radius());
+    return fmt::format("{}, C_t = {:.1f} mm, R_eff = {:.3f} m", scene.bearing_name(), 1e3 * scene.lateral_capacity(),
+                       scene.isolator.effective_radius());
   return fmt::format("{}, L_c = {:.1f} mm, {}", scene.bearing.name, 1e3 * scene.bearing.lateral_capacity(),
                      rim_in_words(scene.bearing));
 }

@@ -68,9 +68,23 @@ std::string numbers_of_element(const Scene &scene) {
   return text;
 }
 
+namespace {
+
+/// Of a law of two dishes' rims on the plates of a DCFP or LIR-DCFP, whatever moves it: cycles may reach its rims.
+std::string doubt_of_plates(const Scene &scene) {
+  if (!scene.rigid_bodies() || scene.triple()) return {};
+  const std::string other = plate_differences(scene.reduced.fitted_plates, scene.isolator);
+  return other.empty() ? ""
+                       : "the impact element was fitted between other plates: " + other +
+                             "; calibrate a bearing with the numbers of [isolator] and pass --calibration DIR";
+}
+
+} // namespace
+
 std::vector<std::string> doubts_of_element(const Scene &scene) {
   std::vector<std::string> found;
   const auto &r = scene.reduced;
+  if (std::string plates = doubt_of_plates(scene); !plates.empty()) found.push_back(std::move(plates));
   if (r.k_i == 0 || r.impact_law->pushed || scene.excitation.stays_on_dish()) return found;
   const bool two_dishes = scene.rigid_bodies();
   if (has_default_element(scene) && r.calibration.empty() && !published_pair_applies(scene)) {

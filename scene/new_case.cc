@@ -71,6 +71,15 @@ bool mass_follows(const Load &load) {
   return std::abs(load.vertical / (load.mass * load.gravity) - 1) < rounding;
 }
 
+/// Its [bearing] is the file beside it.
+void name_file(std::string &text) {
+  const std::string place = "name = \"shfps-225\"", beside = "file = \"bearing.toml\"";
+  if (const auto at = text.find(place); at != std::string::npos)
+    text.replace(at, place.size(), beside);
+  else
+    text = "[bearing]\n" + beside + "\n\n" + text;
+}
+
 /// Gives the text a [load] with one of the two keys, if they say the same.
 void put_load(std::string &text, bool has_load, const Load &load) {
   if (!has_load)
@@ -83,24 +92,20 @@ void put_load(std::string &text, bool has_load, const Load &load) {
 } // namespace
 
 CaseFiles new_case(const std::string &name, const std::string &bearing, const std::string &scene) {
-  Bearing own = load_bearing(bearing);
-  own.name = name;
   std::string text = builtin_scene_text(scene);
-  const std::string place = "name = \"shfps-225\"", beside = "file = \"bearing.toml\"";
-  if (const auto at = text.find(place); at != std::string::npos)
-    text.replace(at, place.size(), beside);
-  else
-    text = "[bearing]\n" + beside + "\n\n" + text;
   const BuiltinScene *entry = find_builtin_scene(scene);
   const TomlFile file(entry ? entry->text : "", scene);
   const Scene defaults = scene_named(file, scene);
+  Bearing own = load_bearing(bearing);
+  own.name = name;
+  if (!defaults.rigid_bodies()) name_file(text);
   put_load(text, file.find("load") != nullptr, defaults.load);
   put(text, "excitation", left_out(file, "excitation", false, defaults));
   put(text, "reduced", left_out(file, "reduced", true, defaults));
   const std::string head =
       "# A number marked \"assumption\" was chosen by us, for no document gives it. Put yours in its place and "
       "strike the mark: reports list those left.\n";
-  return {head + to_toml(own), text};
+  return {defaults.rigid_bodies() ? "" : head + to_toml(own), text};
 }
 
 } // namespace rimpact::scene

@@ -131,6 +131,11 @@ void check_curve(const Scene &scene) {
 
 } // namespace
 
+std::string Scene::bearing_name() const {
+  if (!rigid_bodies()) return bearing.name;
+  return word(reduced.model) + (isolator.name.empty() ? " of [isolator]" : " " + isolator.name);
+}
+
 void Scene::validate() const {
   check_names(*this);
   check_bearing(*this);

@@ -5,6 +5,7 @@
 #include "scene/bounds.h"
 #include "scene/choices.h"
 #include "scene/excitation.h"
+#include "scene/fitted_plates.h"
 #include "scene/isolator.h"
 #include "scene/measured_friction.h"
 #include "scene/own_mesh_settings.h"
@@ -47,7 +48,8 @@ struct ReducedSettings : laws::LawNumbers {
       {}; ///< supported mass it holds for [kg]; none: the law belongs to the rim, not to the mass
   std::optional<double> fitted_speeds_mass =
       {}; ///< of the rim's own law: supported mass of fitted_from and fitted_to [kg]; at another they move as 1/sqrt(m)
-  std::string fitted_rim = {}; ///< rim_identity() of the bearing it was fitted to; empty: not known
+  std::string fitted_rim = {};     ///< rim_identity() of the bearing it was fitted to; empty: not known
+  FittedPlates fitted_plates = {}; ///< of rigid bodies, in the place of that identity
   /// Of the rim [N], > 0: where the joint at its foot goes, and the law ends; none: no run it was fitted to went so
   /// far.
   std::optional<double> foot_force = {};
@@ -71,7 +73,7 @@ struct ReducedSettings : laws::LawNumbers {
   }
   /// The element is of no calibration.
   void forget_fit() {
-    calibration.clear(), fitted_rim.clear();
+    calibration.clear(), fitted_rim.clear(), fitted_plates = {};
     fitted_from.reset(), fitted_to.reset(), fitted_mass.reset(), fitted_speeds_mass.reset();
     forget_foot();
   }
@@ -101,6 +103,8 @@ struct Scene {
   bool triple() const { return reduced.model == ModelKind::tfp; }
   /// Whether its bearing is of rigid bodies between two plates, [isolator].
   bool rigid_bodies() const { return reduced.model != ModelKind::physical; }
+  /// "shfps-225"; of rigid bodies "tfp tfp-kim-2023" or "dcfp of [isolator]".
+  std::string bearing_name() const;
   /// Whether pad and foot are modelled: rungs rigid-dish and full, and the reduced model's terms of pad and socket.
   bool needs_stack() const { return has_dish(model.rung) || reduced.finite_pad || reduced.socket_friction; }
   /// Displacement at which the rim of the model's bearing is touched, or the last of a triple pendulum's [m].

@@ -144,7 +144,7 @@ void set_dependent_defaults(const TomlFile &file, bool own_bearing, Scene &scene
   if (!given("excitation.kind"))
     scene.remarks.push_back(
         fmt::format("{} has no excitation.kind: a Ricker pulse of {:g} g and {:g} s is run, on bearing {}",
-                    file.origin(), e.scale * e.amplitude_g, e.period, scene.bearing.name));
+                    file.origin(), e.scale * e.amplitude_g, e.period, scene.bearing_name()));
 }
 
 } // namespace rimpact::scene

@@ -9,7 +9,6 @@
 namespace rimpact::scene {
 namespace {
 
-constexpr Range positive{0, huge, true};
 constexpr Range not_negative{0, huge};
 constexpr Range anything{-huge, huge};
 constexpr Range share{0, 1};
@@ -75,6 +74,18 @@ void visit_model(KeyVisitor &v, ModelKind &model) {
         fmt::format("reduced.model \"{}\" is unknown; known: {}", written, fmt::join(words<ModelKind>(), ", ")));
 }
 
+/// Of rigid bodies, whose rims have no other name.
+void visit(KeyVisitor &v, FittedPlates &p) {
+  const auto known = [&](const Key &key, std::optional<double> &value, Unit unit) {
+    if (v.wants(value.has_value())) v.limit(key, value, unit, positive);
+  };
+  known({"fitted_radius_m", "of the dishes of the double concave bearing it was fitted to"}, p.radius, si);
+  known({"fitted_slider_height_mm", "of that bearing"}, p.slider_height, milli);
+  known({"fitted_slider_diameter_mm", "of that bearing"}, p.slider_diameter, milli);
+  known({"fitted_rim_height_mm", "of that bearing"}, p.rim_height, milli);
+  known({"fitted_capacity_m", "of that bearing, both rims touched"}, p.capacity, si);
+}
+
 /// Where the element comes from, and what it holds for.
 void visit_origin(KeyVisitor &v, ReducedSettings &r) {
   if (v.wants(!r.calibration.empty()))
@@ -88,6 +99,7 @@ void visit_origin(KeyVisitor &v, ReducedSettings &r) {
     v.limit({"fitted_speeds_mass_kg", "of a rim's own law: supported mass of those speeds; they move as 1/sqrt(m)"},
             r.fitted_speeds_mass, si, positive);
   if (v.wants(!r.fitted_rim.empty())) v.text({"fitted_rim", "the rim it was fitted to"}, r.fitted_rim);
+  visit(v, r.fitted_plates);
   if (v.wants(!r.foot_joint.empty()))
     v.text({"foot_joint", "what holds that rim on its plate; one piece, or not known, where it is left out"},
            r.foot_joint);

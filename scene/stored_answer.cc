@@ -109,11 +109,17 @@ template <class V> void visit(V &v, StoredAssumption &assumption) {
   v("key", assumption.key), v("value", assumption.value);
 }
 
+template <class V> void visit(V &v, FittedPlates &plates) {
+  v("radius_m", plates.radius), v("slider_height_mm", plates.slider_height, milli);
+  v("slider_diameter_mm", plates.slider_diameter, milli), v("rim_height_mm", plates.rim_height, milli);
+  v("lateral_capacity_m", plates.capacity);
+}
+
 template <class V> void visit(V &v, StoredAnswer &a) {
   v("bearing", a.bearing), v("rim_identity", a.rim_identity), v("source", a.source);
   v.one_or_list("rung", a.rungs), v.one_or_list("mesh", a.meshes);
   v("mass_kg", a.mass), v("vertical_kN", a.vertical, kilo), v("gravity_m_per_s2", a.gravity);
-  v.needed("law", a.law), v("rims_in_series", a.rims_in_series);
+  v.needed("law", a.law), v("rims_in_series", a.rims_in_series), v("plates", a.plates);
   v("pair", a.pair), v.or_null("no_pair", a.no_pair), v("strain", a.strain), v("rim_foot", a.foot);
   v("mesh_error", a.mesh_error), v("stack", a.stack);
   v.or_null("steel_rate", a.steel_rate), v("steel_band", a.steel_band);

@@ -5,6 +5,7 @@
 /// SI, but for a law's numbers: these are in the unit of their key of [reduced] (laws::law_parameters(): kN/m, kN, -).
 #pragma once
 #include "io/files/json_fields.h"
+#include "scene/fitted_plates.h"
 #include "scene/stack_terms.h"
 
 namespace rimpact::scene {
@@ -147,7 +148,8 @@ struct StoredAnswer {
   std::vector<int> meshes = {};
   std::optional<double> mass = {}, vertical = {}, gravity = {}; ///< of the runs fitted [kg], [N], [m/s^2]
   StoredLaw law = {};
-  int rims_in_series = 1; ///< that it is the law of
+  int rims_in_series = 1;                  ///< that it is the law of
+  std::optional<FittedPlates> plates = {}; ///< of a bearing with two dishes
   std::optional<StoredPair> pair = {};
   std::string no_pair = {}; ///< why there is none
   std::optional<StoredStrain> strain = {};

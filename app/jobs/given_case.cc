@@ -10,6 +10,7 @@
 #include "scene/case_description.h"
 #include "scene/isolator_catalogue.h"
 #include "scene/rim_identity.h"
+#include "scene/solid_bearing.h"
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -161,13 +162,7 @@ std::string GivenCase::head() const {
 }
 
 void require_bearing(const scene::Scene &scene, const std::string &verb) {
-  if (!scene.rigid_bodies()) return;
-  const char *way = scene.reduced.model == scene::ModelKind::tfp
-                        ? "a triple pendulum by the bearings of its stops (tfp-kim-2023-inner)"
-                        : "two dishes by surface.concave = \"double\"";
-  throw InputError(fmt::format("reduced.model \"{}\" has its bearing in [isolator]: {} takes one that [bearing] gives, "
-                               "{}; `rimpact reduced` runs this scene",
-                               word(scene.reduced.model), verb, way));
+  if (const auto reason = scene::without_solid_bearing(scene, verb + " takes")) throw InputError(*reason);
 }
 
 } // namespace rimpact::app

@@ -6,6 +6,8 @@
 #include "scene/scene.h"
 #include <filesystem>
 #include <fmt/format.h>
+#include <utility>
+#include <vector>
 
 namespace rimpact::app {
 namespace {
@@ -18,22 +20,26 @@ std::string name_of(const std::string &folder) {
 
 void add_new(CLI::App &verb, Console &console) {
   struct NewOptions {
-    std::string folder, bearing = "shfps-225", scene = "ricker-0.78g-1.0s";
+    std::string folder, bearing, scene = "ricker-0.78g-1.0s";
   };
   auto options = std::make_shared<NewOptions>();
   verb.add_option("DIR", options->folder, "the folder to make")->required();
-  verb.add_option("--bearing", options->bearing, "a built-in bearing");
+  verb.add_option("--bearing", options->bearing, "a built-in bearing, shfps-225 where none is named");
   verb.add_option("--scene", options->scene, "a built-in scene");
   console.add_common(verb);
   verb.callback([options, &console] {
-    const auto files = scene::new_case(name_of(options->folder), options->bearing, options->scene);
+    const std::string bearing = options->bearing.empty() ? "shfps-225" : options->bearing;
+    const auto files = scene::new_case(name_of(options->folder), bearing, options->scene);
+    if (files.bearing.empty() && !options->bearing.empty())
+      throw InputError(fmt::format("--bearing {}: the bearing of scene {} is of rigid bodies, in its [isolator]",
+                                   options->bearing, options->scene));
     std::error_code error;
     std::filesystem::create_directories(options->folder, error);
-    for (const char *name : {"bearing.toml", "scene.toml"})
-      if (std::filesystem::exists(options->folder + "/" + name))
-        throw InputError(options->folder + "/" + name + " exists already; choose another folder");
-    write_atomically(files.bearing, options->folder + "/bearing.toml");
-    write_atomically(files.scene, options->folder + "/scene.toml");
+    std::vector<std::pair<std::string, std::string>> texts{{options->folder + "/scene.toml", files.scene}};
+    if (!files.bearing.empty()) texts.emplace_back(options->folder + "/bearing.toml", files.bearing);
+    for (const auto &[path, text] : texts)
+      if (std::filesystem::exists(path)) throw InputError(path + " exists already; choose another folder");
+    for (const auto &[path, text] : texts) write_atomically(text, path);
     const auto scene = scene::load_scene(options->folder + "/scene.toml"); // what was written can be read
     console.message(scene.rigid_bodies()
                         ? fmt::format("next: rimpact reduced {0}/scene.toml -o {0}/run", options->folder)
@@ -46,7 +52,7 @@ void add_new(CLI::App &verb, Console &console) {
 } // namespace
 
 const Verb new_verb{{.name = "new",
-                     .help = "a commented case folder: bearing.toml, scene.toml",
+                     .help = "a commented case folder: bearing.toml, scene.toml; of rigid bodies scene.toml alone",
                      .examples = "rimpact new my-case\nrimpact new my-case --scene impact-window"},
                     add_new};
 

@@ -239,6 +239,7 @@ scene::StoredAnswer stored(const Answer &a) {
                            .doubts = a.doubts,
                            .assumptions = stored_assumptions(a.scene.bearing),
                            .validity = a.validity};
+  if (a.scene.bearing.double_concave()) kept.plates = scene::plates_of(a.scene.bearing);
   if (a.pair) kept.pair = stored_pair(*a.pair);
   if (a.strain) kept.strain = stored_strain(*a.strain);
   if (a.foot) kept.foot = stored_foot(*a.foot);

@@ -1,5 +1,6 @@
 #include "fe_contact/planning/refusal.h"
 #include "fe_contact/planning/stack_plan.h"
+#include "scene/solid_bearing.h"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -38,10 +39,7 @@ std::optional<std::string> unread_of_reduced(const scene::Scene &scene) {
 } // namespace
 
 std::optional<std::string> beyond_rungs(const scene::Scene &scene) {
-  if (scene.rigid_bodies())
-    return fmt::format("reduced.model \"{}\" is a bearing of rigid bodies: the finite-element rungs know those that "
-                       "[bearing] gives, one dish or two alike; use `rimpact reduced`",
-                       word(scene.reduced.model));
+  if (auto reason = scene::without_solid_bearing(scene, "the finite elements take")) return reason;
   if (scene.superstructure.any())
     return fmt::format("superstructure.kind \"{}\" is not for the finite-element rungs, which carry a rigid mass; use "
                        "`rimpact reduced`, or --set superstructure.kind=\"none\"",

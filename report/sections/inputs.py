@@ -10,6 +10,8 @@ from .common import title_of
 UNITS = {"_kg_per_m3": "kg/m³", "_kN_per_m": "kN/m", "_m_per_s2": "m/s²", "_m_per_s": "m/s", "_s_per_m": "s/m",
          "_MPa": "MPa", "_mm": "mm", "_kN": "kN", "_kg": "kg", "_deg": "°", "_ms": "ms", "_m": "m", "_N": "N",
          "_g": "g", "_per_s": "1/s", "_s": "s"}
+# A code that tells rims apart, or the plates a law was fitted between: the rim's dimensions stand above, and a doubt says where they differ.
+FITTED_RIM = {"fitted_rim", "fitted_radius_m", "fitted_slider_height_mm", "fitted_slider_diameter_mm", "fitted_rim_height_mm", "fitted_capacity_m"}
 LABELS = {
     "surface.R0": "radius of curvature at the vertex", "surface.a": "half-width of the ellipse",
     "surface.planar_radius": "planar radius of the dish", "surface.kind": "sliding surface", "surface.concave": "dishes", "slider.height": "slider's height on its axis",
@@ -71,7 +73,7 @@ def make(context: Context) -> Section | None:
 def _rows(context: Context, part: str, title: str) -> list[Any]:
     rows = []
     for key, value in _flat(context.scene.get(part, {})):
-        if key == "fitted_rim":  # a code that tells rims apart; the rim's dimensions stand above
+        if key in FITTED_RIM:
             continue
         name, unit = split_unit(key)
         marked = (key if part == "bearing" else f"{part}.{key}") in context.assumed

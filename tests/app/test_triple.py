@@ -64,6 +64,7 @@ class Runs(Scratch):
     def test_a_case_of_ones_own(self) -> None:
         said = rimpact("new", self.folder, "--scene", "tfp-stages")
         self.assertIn("rimpact reduced " + self.folder + "/scene.toml", said.stderr)
+        self.assertEqual(os.listdir(self.folder), ["scene.toml"])
         run = rimpact("reduced", self.folder, "-o", self.folder + "/run", "--json")
         self.assertEqual((run.returncode, run.stderr.count("warning:")), (0, 0), run.stderr)
         self.assertGreater(json.loads(run.stdout)["peak_displacement_m"], 0.139)
@@ -125,14 +126,16 @@ class UnderAFrame(Scratch):
 
 class Refused(Refusals):
     def test_by_finite_elements_and_what_is_of_one_dish(self) -> None:
-        for verb, said, *words in (["check", "one dish"], ["run", "one dish"], ["study", "its stops"], ["main", "its stops", "--dry-run"],
-                                   ["geometry", "its stops", "--dry-run"]):
-            self.refused(2, '"tfp"', "[bearing]", said, "`rimpact reduced`", arguments=[verb, "tfp-pulse", *words])
+        for verb, *words in (["check"], ["run"], ["study"], ["main", "--dry-run"], ["geometry", "--dry-run"]):
+            self.refused(2, '"tfp"', "[bearing]", "its stops", "`rimpact reduced`", arguments=[verb, "tfp-pulse", *words])
         for setting, needle in (('reduced.integrator="cvode"', "cvode"), ('excitation.kind="window"', "rim element of the physical model"),
                                 ('reduced.normal_force="pad"', "follow from the motion"), ("reduced.socket_friction=true", "its slider is rigid"),
                                 ("excitation.direction_deg=30", "needs \"spatial\""), ('reduced.impact_law="curve"', "impact_curve")):
             self.refused(2, needle, arguments=["reduced", "tfp-pulse", "-o", "nowhere", "--set", setting])
         self.refused(2, "one dish", arguments=["reduced", "tfp-pulse", "-o", "nowhere", "--nodes", "0,100"])
+
+    def test_a_bearing_of_bearing_beside_rigid_bodies(self) -> None:
+        self.refused(2, "--bearing dcfp-155", "[isolator]", arguments=["new", "/proc/nowhere", "--scene", "tfp-stages", "--bearing", "dcfp-155"])
 
     def test_the_catalogues_name_where_a_scene_is_asked_for(self) -> None:
         for words in (["reduced", "tfp-kim-2023", "-o", "nowhere"], ["main", "tfp-kim-2023", "--dry-run"], ["new", "nowhere", "--bearing", "tfp-kim-2023"],

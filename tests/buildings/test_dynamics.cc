@@ -109,6 +109,18 @@ TEST(BearingDoubts, AreOfTheWeightEachCarries) {
   EXPECT_EQ(doubts[0].find("bearing 2 (21738 kg): "), 0u) << doubts[0];
 }
 
+TEST(BearingDoubts, LookAtEachKindOfRigidBodies) {
+  scene::Scene s = pulse(1);
+  const double usual = scene::Load{}.vertical;
+  s.reduced.model = scene::ModelKind::dcfp, s.reduced.fitted_plates.radius = s.isolator.radius;
+  scene::Scene other = s;
+  other.isolator.radius = 2;
+  const auto doubts = doubts_of_elements({s, other, s}, {usual / 1.1, usual, 1.1 * usual});
+  ASSERT_FALSE(doubts.empty());
+  EXPECT_EQ(doubts.back().find("bearing 2"), 0u) << doubts.back();
+  EXPECT_NE(doubts.back().find("isolator.radius_m 2 (1.55 there)"), std::string::npos) << doubts.back();
+}
+
 TEST(BuildingRun, RefusesAStartBeyondTheRimOfOneOfItsBearings) {
   scene::Scene s = pulse(1);
   s.excitation.kind = scene::ExcitationKind::free;

@@ -5,6 +5,7 @@
 #include "calibration/answer/answer_text.h"
 #include "calibration/laws/law_errors.h"
 #include "reduced_models/simulate.h"
+#include "scene/bearing_catalogue.h"
 #include "scene/rim_identity.h"
 #include <cmath>
 #include <gtest/gtest.h>
@@ -74,6 +75,7 @@ TEST(Answer, IsTheContractsJsonAndItsFragmentFliesTheSame) {
     EXPECT_TRUE(json["law"].contains(key)) << key;
   EXPECT_EQ(scene::to_json(scene::read_answer(json, "calibration.json")), scene::to_json(stored(*c.answer)))
       << "what is written is read";
+  EXPECT_TRUE(json["plates"].is_null()) << "one dish";
   EXPECT_EQ(json["law"]["name"], "elastoplastic");
   EXPECT_EQ(json["law"]["chosen_by"], "ranking");
   EXPECT_EQ(json["law"]["belongs_to"], "rim");
@@ -98,6 +100,18 @@ TEST(Answer, IsTheContractsJsonAndItsFragmentFliesTheSame) {
     EXPECT_NEAR(flown.peak_force / row.peak_force, 1, 1e-3) << row.speed;
     EXPECT_NEAR(flown.restitution(), row.restitution, 1e-3) << row.speed;
   }
+}
+
+TEST(Answer, OfTwoDishesKeepsThePlates) {
+  TemporaryFolder folder;
+  auto run = window(0.2);
+  run.bearing = scene::builtin_bearing("dcfp-155");
+  const auto plates = to_json(calibrate({folder.write(run)}, quick({})))["answer"]["plates"];
+  EXPECT_DOUBLE_EQ(plates["radius_m"], run.bearing.surface.R0);
+  EXPECT_DOUBLE_EQ(plates["slider_height_mm"], 1e3 * run.bearing.slider.height);
+  EXPECT_DOUBLE_EQ(plates["slider_diameter_mm"], 1e3 * run.bearing.slider.diameter);
+  EXPECT_DOUBLE_EQ(plates["rim_height_mm"], 1e3 * run.bearing.rim.height);
+  EXPECT_DOUBLE_EQ(plates["lateral_capacity_m"], run.bearing.lateral_capacity());
 }
 
 TEST(Answer, ThePublishedPairIsOfItsBearingAndMassOnly) {

@@ -205,6 +205,10 @@ class Names(unittest.TestCase):
         self.assertIn(rimpact.Scene("impact-window").bearing, rimpact.bearing_names())
         self.assertIn("impact-window", rimpact.scene_names())
 
+    def test_rigid_bodies_have_a_bearing_of_their_own(self):
+        self.assertEqual(rimpact.Scene("tfp-pulse").bearing, "tfp tfp-kim-2023")
+        self.assertEqual(rimpact.Scene("lir-dcfp-specimen").bearing, "lir-dcfp of [isolator]")
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -3,6 +3,7 @@
 #include "scene/bearing_catalogue.h"
 #include "scene/doubts.h"
 #include "scene/element_doubts.h"
+#include "scene/fitted_plates.h"
 #include "scene/rim_identity.h"
 #include "scene/scene.h"
 #include "scene/stack_terms.h"
@@ -202,6 +203,57 @@ TEST(CalibratedElement, OfTwoRimsInSeriesARigidBodyModelTakesOne) {
   EXPECT_NEAR(rim.trial({.d = 3e-3, .rate = 0.1, .deepest = 2e-3}) /
                   pair.trial({.d = 6e-3, .rate = 0.2, .deepest = 4e-3}),
               1, 1e-12);
+}
+
+/// The rims of the specimen's [isolator] as a bearing of [bearing] says them, but for its radius [m].
+std::string between_its_plates(double radius) {
+  std::string json = of_two_rims("elastoplastic", element);
+  json.insert(json.find("\"bearing\""),
+              fmt::format(R"("plates": {{"radius_m": {}, "slider_height_mm": 85.02, "slider_diameter_mm": 140,
+    "rim_height_mm": 20, "lateral_capacity_m": 0.1752}}, )",
+                          radius));
+  return json;
+}
+
+bool doubts_the_plates(const Scene &scene) {
+  for (const auto &doubt : doubts_of_element(scene))
+    if (doubt.find("between other plates") != std::string::npos) return true;
+  return false;
+}
+
+TEST(CalibratedElement, OfARigidBodyModelsRimIsDoubtedBetweenOtherPlates) {
+  const Folder its(between_its_plates(0.75)), other(between_its_plates(0.8));
+  EXPECT_FALSE(doubts_the_plates(load_scene("lir-dcfp-specimen", {its.cal()}))) << "0.02 and 0.2 mm are rounding";
+  for (const std::string set :
+       {"isolator.radius_m=0.76", "isolator.top_radius_m=0.7", "isolator.slider_diameter_mm=142",
+        "isolator.rim_height_mm=15", "isolator.capacity_m=0.173", "isolator.top_capacity_m=0.165"}) {
+    const Scene apart = load_scene("lir-dcfp-specimen", {its.cal(), set});
+    EXPECT_TRUE(doubts_the_plates(apart)) << set;
+    EXPECT_NE(doubts_of_element(apart).front().find(set.substr(0, set.find('='))), std::string::npos) << set;
+  }
+  EXPECT_TRUE(doubts_the_plates(load_scene("lir-dcfp-specimen", {its.cal(), "isolator.bottom_height_mm=38"})));
+  const Scene scene = load_scene("lir-dcfp-specimen", {other.cal()});
+  EXPECT_TRUE(doubts_the_plates(scene));
+  const std::string text = doubts_of_element(scene).front();
+  EXPECT_NE(text.find("isolator.radius_m 0.75 (0.8 there);"), std::string::npos) << text;
+  EXPECT_TRUE(doubts_the_plates(parse_scene(to_toml(scene), "again"))) << "a run's own file keeps it";
+  EXPECT_FALSE(doubts_the_plates(load_scene("tfp-pulse", {other.cal()}))) << "its rims are of other faces";
+  EXPECT_FALSE(doubts_the_plates(load_scene("lir-dcfp-specimen", {other.cal(), "reduced.k_i_kN_per_m=5e5"})))
+      << "an element changed by hand is of no calibration";
+}
+
+TEST(CalibratedElement, PlatesOutOfRangeAreAnErrorOfTheFile) {
+  const Folder folder(between_its_plates(-1));
+  expect_error<DataError>([&] { load_scene("lir-dcfp-specimen", {folder.cal()}); }, {"fitted_radius_m", "-1"});
+}
+
+TEST(FittedPlates, OfTheCataloguesBearingAreTheIsolatorsThatItIs) {
+  const Bearing bearing = builtin_bearing("dcfp-155");
+  scene::Isolator same;
+  same.radius = bearing.surface.R0, same.slider_diameter = bearing.slider.diameter;
+  same.bottom_height = 0.4 * bearing.slider.height, same.top_height = 0.6 * bearing.slider.height;
+  same.rim_height = bearing.rim.height, same.capacity = bearing.lateral_capacity();
+  EXPECT_EQ(plate_differences(plates_of(bearing), same), "");
 }
 
 TEST(CalibratedElement, ALawThatOneRimHasNotIsRefused) {
