@@ -8,7 +8,7 @@ from ..run_folder import Run
 from ..style import CYCLE, FE, FITTED, MUTED, WIDTH, figure, literal, plt, save, shared_legend
 from .catalogue import Entry
 from .pair import draw_pair, draw_region
-from .probabilities import draw_probabilities, draw_reductions
+from .probabilities import draw_hazard, draw_probabilities, draw_reductions
 from .runs import Runs
 from .spectrum import draw_spectra
 
@@ -46,7 +46,7 @@ def draw(entry: Entry, runs: Runs, path: str) -> str | None:
 def _panel(ax: Axes, panel: dict[str, Any], runs: Runs) -> bool:
     kind = panel.get("kind", "curves")
     drawn = {"curves": _curves, "ellipses": _ellipses, "spectra": draw_spectra, "bars": _bars, "pair": draw_pair, "region": draw_region,
-             "probabilities": draw_probabilities, "reductions": draw_reductions}[kind](ax, panel, runs)
+             "probabilities": draw_probabilities, "reductions": draw_reductions, "hazard": draw_hazard}[kind](ax, panel, runs)
     if drawn:
         _marks(ax, panel, runs)
     ax.set_title(literal(panel.get("title", "")))

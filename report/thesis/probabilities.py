@@ -1,4 +1,4 @@
-"""Probabilities of a kept reliability study as the thesis draws them: over a limit, a curve a system; and how far a gap lowers them.
+"""Probabilities of a kept reliability study as the thesis draws them: over a limit, a curve a system; how far a gap lowers them; and the hazard behind them.
 
 The study's curves, docs/generate/keep_reliability.py: `limits` of each quantity; `systems`, each with the values `of` its keys and a list of
 probabilities a quantity. A panel's `systems` names values, "superstructure.post_yield_ratio=0.05|0.1"; a system that has one of each is drawn."""
@@ -71,6 +71,13 @@ def draw_probabilities(ax: Axes, panel: dict[str, Any], runs: Runs) -> bool:
         style = styles.of(*(_told(panel[what], system["of"][panel[what]]) for what in ("colour", "dashes")))
         ax.semilogy([limit for limit, _ in drawn], [value for _, value in drawn], lw=0.8, **style)
     styles.explain(ax)
+    return True
+
+
+def draw_hazard(ax: Axes, panel: dict[str, Any], runs: Runs) -> bool:
+    """Of a kept study, whose points are spectral accelerations [g] and return periods [years]: the rate at which one is exceeded in a year."""
+    accelerations, periods = zip(*runs.summary(panel["of"])["hazard"])
+    ax.loglog(accelerations, [1 / period for period in periods], marker="o", ms=3, lw=0.9, color=CYCLE[0])
     return True
 
 

@@ -133,6 +133,16 @@ class Values(InFolder):
         self.assertEqual(ax.get_legend_handles_labels()[1], ["DCFP", "LIR 2 cm", "LIR 10 cm", "r 0.1"])
         plt.close()
 
+    def test_a_hazard_is_the_rate_of_its_return_periods(self):
+        class Runs:
+            @staticmethod
+            def summary(name):
+                return {"of": name, "hazard": [[0.1, 100.0], [0.4, 2000.0]]}
+        _, ax = plt.subplots()
+        self.assertTrue(probabilities.draw_hazard(ax, {"of": "small"}, Runs))
+        np.testing.assert_allclose(ax.get_lines()[0].get_xydata(), [[0.1, 0.01], [0.4, 0.0005]])
+        plt.close()
+
     def test_verdicts(self):
         self.assertEqual(Number("", printed=2, within=0.1, apart="an input").verdict(2.0), "apart")
         self.assertEqual(Number("", printed=2, within=0.1).verdict(2.09), "met")
