@@ -8,7 +8,6 @@
 #include "scene/scene_keys.h"
 #include "scene/stored_calibration.h"
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
@@ -52,15 +51,11 @@ StackTerms terms_of(const StoredStack &stack) {
   return terms;
 }
 
-constexpr std::array plate_keys{"fitted_radius_m", "fitted_slider_height_mm", "fitted_slider_diameter_mm",
-                                "fitted_rim_height_mm", "fitted_capacity_m"};
-
-void take_plates(const FittedPlates &plates, Element &element) {
-  const std::array known{std::pair{plates.radius, si}, std::pair{plates.slider_height, milli},
-                         std::pair{plates.slider_diameter, milli}, std::pair{plates.rim_height, milli},
-                         std::pair{plates.capacity, si}};
-  for (std::size_t i = 0; i < known.size(); ++i)
-    if (const auto &[value, unit] = known[i]; value) element.values[plate_keys[i]] = file_number(*value, unit);
+/// Keys of [reduced], those that are known or every one of them.
+std::vector<KeyEntry> keys_of(FittedPlates plates, bool every = false) {
+  KeyList list("", every);
+  visit(list, plates);
+  return list.entries;
 }
 
 void take_answer(const StoredAnswer &answer, Element &element) {
@@ -79,7 +74,8 @@ void take_answer(const StoredAnswer &answer, Element &element) {
   }
   if (answer.stack) element.stack = terms_of(*answer.stack);
   element.rims = answer.rims_in_series;
-  if (answer.plates) take_plates(*answer.plates, element);
+  if (answer.plates)
+    for (const auto &entry : keys_of(*answer.plates)) element.values[entry.key.name] = entry.value;
 }
 
 /// [reduced] of calibration.toml, the element's keys alone.
@@ -165,7 +161,7 @@ void take_one_rim(const TomlFile &file, Element &element) {
   const std::string model = node && node->is_string() ? node->as_string()->get() : word(ModelKind::physical);
   const bool rigid_bodies = model != word(ModelKind::physical);
   if (!rigid_bodies || model == word(ModelKind::tfp)) // whose rims are those of two of its faces
-    for (const char *key : plate_keys) element.values.erase(key);
+    for (const auto &entry : keys_of({}, true)) element.values.erase(entry.key.name);
   if (element.rims == 1 || !rigid_bodies) return;
   TomlFile values("", element.origin);
   for (const auto &[key, value] : element.values) values.set("reduced." + key + "=" + value, element.origin);
@@ -191,7 +187,7 @@ const std::vector<std::string> &element_keys() {
     for (const char *key : {"fitted_from_m_per_s", "fitted_to_m_per_s", "fitted_mass_kg", "fitted_speeds_mass_kg",
                             "fitted_rim", "foot_joint", "foot_force_kN", "taken_from"})
       list.emplace_back(key);
-    list.insert(list.end(), plate_keys.begin(), plate_keys.end());
+    for (const auto &entry : keys_of({}, true)) list.emplace_back(entry.key.name);
     return list;
   }();
   return keys;

@@ -42,6 +42,15 @@ std::string way_to_its_law(ModelKind model) {
   return "give those of one of its rims, or calibrate " + bearing + " and pass --calibration DIR";
 }
 
+/// Of a law of two dishes' rims on the plates of a DCFP or LIR-DCFP, whatever moves it: cycles may reach its rims.
+std::string doubt_of_plates(const Scene &scene) {
+  if (!scene.rigid_bodies() || scene.triple()) return {};
+  const std::string other = plate_differences(scene.reduced.fitted_plates, scene.isolator);
+  return other.empty() ? ""
+                       : "the impact element was fitted between other plates: " + other +
+                             "; calibrate a bearing with the numbers of [isolator] and pass --calibration DIR";
+}
+
 } // namespace
 
 bool published_pair_applies(const Scene &scene) {
@@ -67,19 +76,6 @@ std::string numbers_of_element(const Scene &scene) {
   }
   return text;
 }
-
-namespace {
-
-/// Of a law of two dishes' rims on the plates of a DCFP or LIR-DCFP, whatever moves it: cycles may reach its rims.
-std::string doubt_of_plates(const Scene &scene) {
-  if (!scene.rigid_bodies() || scene.triple()) return {};
-  const std::string other = plate_differences(scene.reduced.fitted_plates, scene.isolator);
-  return other.empty() ? ""
-                       : "the impact element was fitted between other plates: " + other +
-                             "; calibrate a bearing with the numbers of [isolator] and pass --calibration DIR";
-}
-
-} // namespace
 
 std::vector<std::string> doubts_of_element(const Scene &scene) {
   std::vector<std::string> found;

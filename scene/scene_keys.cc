@@ -7,6 +7,18 @@
 #include <fmt/ranges.h>
 
 namespace rimpact::scene {
+
+void visit(KeyVisitor &v, FittedPlates &p) {
+  const auto known = [&](const Key &key, std::optional<double> &value, Unit unit) {
+    if (v.wants(value.has_value())) v.limit(key, value, unit, positive);
+  };
+  known({"fitted_radius_m", "of the dishes of the double concave bearing it was fitted to"}, p.radius, si);
+  known({"fitted_slider_height_mm", "of that bearing"}, p.slider_height, milli);
+  known({"fitted_slider_diameter_mm", "of that bearing"}, p.slider_diameter, milli);
+  known({"fitted_rim_height_mm", "of that bearing"}, p.rim_height, milli);
+  known({"fitted_capacity_m", "of that bearing, both rims touched"}, p.capacity, si);
+}
+
 namespace {
 
 constexpr Range not_negative{0, huge};
@@ -72,18 +84,6 @@ void visit_model(KeyVisitor &v, ModelKind &model) {
   else
     throw InputError(
         fmt::format("reduced.model \"{}\" is unknown; known: {}", written, fmt::join(words<ModelKind>(), ", ")));
-}
-
-/// Of rigid bodies, whose rims have no other name.
-void visit(KeyVisitor &v, FittedPlates &p) {
-  const auto known = [&](const Key &key, std::optional<double> &value, Unit unit) {
-    if (v.wants(value.has_value())) v.limit(key, value, unit, positive);
-  };
-  known({"fitted_radius_m", "of the dishes of the double concave bearing it was fitted to"}, p.radius, si);
-  known({"fitted_slider_height_mm", "of that bearing"}, p.slider_height, milli);
-  known({"fitted_slider_diameter_mm", "of that bearing"}, p.slider_diameter, milli);
-  known({"fitted_rim_height_mm", "of that bearing"}, p.rim_height, milli);
-  known({"fitted_capacity_m", "of that bearing, both rims touched"}, p.capacity, si);
 }
 
 /// Where the element comes from, and what it holds for.

@@ -6,5 +6,7 @@ namespace rimpact::scene {
 
 /// [load], [excitation], [model], [reduced], [isolator], [superstructure]
 void visit_settings(KeyVisitor &visitor, Scene &scene);
+/// Of [reduced], those of rigid bodies, whose rims have no other name.
+void visit(KeyVisitor &visitor, FittedPlates &plates);
 
 } // namespace rimpact::scene
