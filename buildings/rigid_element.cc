@@ -37,7 +37,7 @@ public:
       s.unmet[i] = is_wall(s.contacts[i].surface);
       if (s.unmet[i]) walls_.push_back(i);
     }
-    lateral_capacity = scene.lateral_capacity(), rim_stiffness = s.rim.stiffness * model_.parts.stop_share;
+    lateral_capacity = scene.lateral_capacity(), rim_stiffness = model_.parts.stop_stiffness;
     for (auto &state : at_) state.slip.assign(s.contacts.size(), Vector3d::Zero()), state.slip_rate = state.slip;
   }
 

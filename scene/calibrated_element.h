@@ -1,27 +1,36 @@
-/// The rim's law and its numbers from a calibration folder, in the place of a scene's own.
+/// The rim's law and its numbers as a calibration folder has them.
 #pragma once
-#include "io/files/toml_reader.h"
-#include "scene/bearing.h"
-#include "scene/keys.h"
+#include "io/files/key_list.h"
+#include "scene/fitted_plates.h"
 #include "scene/stack_terms.h"
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace rimpact::scene {
 
+/// What a calibration says, as values of keys of [reduced].
+struct CalibratedElement {
+  std::string origin;                        ///< the file read
+  std::map<std::string, std::string> values; ///< key -> TOML value
+  std::string rim;                           ///< identity of the rim it was fitted to; empty: not said
+  std::optional<double> capacity;            ///< where the element begins [m]
+  int rims = 1;                              ///< that it is the law of, in series
+  StackTerms stack;
+
+  [[noreturn]] void fail(const std::string &what) const; ///< throws DataError
+  void number(const std::string &key, std::optional<double> value);
+  void text(const std::string &key, const std::string &value);
+};
+
 /// Keys of [reduced] that make the rim's element.
 const std::vector<std::string> &element_keys();
+/// Of them those of the plates it was fitted between, what is known of them or every one.
+std::vector<KeyEntry> keys_of_plates(FittedPlates plates, bool every = false);
 
-/// Where the file has reduced.calibration, puts the folder's law, numbers, range, mass and rim in the place of
-/// reduced.*, for the reader to find: those of calibration.json's `answer`, or of calibration.toml where there is none.
-/// `folder`: the folder is sought beside it. A key typed with --set stays and is remarked upon. An element's key in the
-/// file itself is an InputError, or, where the calibration was given on the command line, is replaced with a remark.
-/// Throws DataError for a calibration that cannot be read.
-/// The terms of pad and socket that the calibration carries come with it (adopt_stack_terms).
-TakenTerms adopt_calibration(TomlFile &file, const std::string &folder, const Bearing &bearing,
-                             std::vector<std::string> &remarks);
-
-/// Law and numbers typed with --set; to be asked before adopt_calibration.
-std::vector<std::string> typed_element_keys(const TomlFile &file);
-/// After reading: an element that was changed by hand has no origin, range, mass or rim any more.
-void forget_origin(const std::vector<std::string> &typed, ReducedSettings &reduced, std::vector<std::string> &remarks);
+/// Of calibration.json's `answer`, or of calibration.toml where there is none. Throws DataError for a calibration that
+/// cannot be read, or whose numbers no scene could have.
+CalibratedElement calibrated_element(const std::string &folder);
 
 } // namespace rimpact::scene

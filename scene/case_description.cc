@@ -62,12 +62,11 @@ std::string source_of(const Scene &scene) {
   return r.impact_law->of_mass ? "the thesis's pair for shfps-225" : "defaults of the law, for shfps-225";
 }
 
-std::string range_of(const Scene &scene) {
-  const ReducedSettings &r = scene.reduced;
+std::string range_of(const ImpactElement &r, const std::string &joint) {
   std::string text;
   if (r.fitted_from && r.fitted_to) text += fmt::format("; fitted from {:g} to {:g} m/s", *r.fitted_from, *r.fitted_to);
   if (r.fitted_speeds_mass) text += fmt::format(" under {:g} kg", *r.fitted_speeds_mass);
-  if (r.foot_force && r.foot_joint == joint_at_foot(scene))
+  if (r.foot_force && r.foot_joint == joint)
     text += fmt::format("; ends at {:.4g} kN, where the rim's foot goes", *r.foot_force / 1e3);
   if (r.fitted_mass) text += fmt::format("; for {:g} kg only", *r.fitted_mass);
   return text;
@@ -87,7 +86,16 @@ std::string element_line(const Scene &scene) {
   if (scene.reduced.k_i == 0) return "none (k_i = 0)";
   if (scene.reduced.impact_law->pushed) return "curve, " + scene.reduced.impact_curve;
   return fmt::format("{}, {} ({}{})", scene.reduced.impact_law->name, numbers_of_element(scene), source_of(scene),
-                     range_of(scene));
+                     range_of(scene.reduced, joint_at_foot(scene)));
+}
+
+std::string inner_element_line(const Scene &scene) {
+  const ImpactElement &inner = scene.inner_element();
+  if (&inner == &scene.reduced) return {};
+  if (inner.k_i == 0) return "none (k_i = 0)";
+  return fmt::format("{}, {} ({}{})", inner.impact_law->name, numbers_of_inner_element(scene),
+                     inner.calibration.empty() ? "the scene" : "calibration " + inner.calibration,
+                     range_of(inner, inner.foot_joint));
 }
 
 std::string load_sentence(const Scene &scene) {
@@ -102,8 +110,10 @@ std::string foot_sentence(const Bearing &bearing) {
 }
 
 std::string describe_case(const Scene &scene, bool load_is_read) {
-  return fmt::format("bearing: {}\n{}motion: {}\nimpact element: {}\n", bearing_line(scene),
-                     load_is_read ? load_sentence(scene) : "", motion_line(scene), element_line(scene));
+  const std::string inner = inner_element_line(scene);
+  return fmt::format("bearing: {}\n{}motion: {}\nimpact element: {}\n{}", bearing_line(scene),
+                     load_is_read ? load_sentence(scene) : "", motion_line(scene), element_line(scene),
+                     inner.empty() ? "" : "of the inner rims: " + inner + "\n");
 }
 
 json case_json(const Scene &scene) {

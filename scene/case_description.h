@@ -5,7 +5,8 @@
 
 namespace rimpact::scene {
 
-/// "bearing: ...\nload: ...\nmotion: ...\nimpact element: ...\n"; a load that is not read is left out.
+/// "bearing: ...\nload: ...\nmotion: ...\nimpact element: ...\n"; a load that is not read is left out. A line more has
+/// a triple pendulum whose inner rims have their own element.
 std::string describe_case(const Scene &scene, bool load_is_read = true);
 /// "load: W = ... kN, m = ... kg (W = ... m g)\n", and that it is an assumption where nobody gave it.
 std::string load_sentence(const Scene &scene);
@@ -18,6 +19,8 @@ std::string foot_sentence(const Bearing &bearing);
 std::string joint_at_foot(const Scene &scene);
 /// The impact element alone: its law, numbers and where they come from.
 std::string element_line(const Scene &scene);
+/// That of a triple pendulum's inner rims; empty: they have the same one.
+std::string inner_element_line(const Scene &scene);
 /// The same as `load`, `motion` and `impact_element` (law, every number of it, source, fitted_from_m_per_s,
 /// fitted_to_m_per_s, fitted_mass_kg, foot_force_kN, fitted_rim: null where not known).
 nlohmann::json case_json(const Scene &scene);

@@ -14,5 +14,7 @@ bool published_pair_applies(const Scene &scene);
 bool has_default_element(const Scene &scene);
 /// "k_i = 450000 kN/m, e = 0.65", or the numbers of another law, as the scene has them.
 std::string numbers_of_element(const Scene &scene);
+/// The same of a triple pendulum's inner rims that have their own law.
+std::string numbers_of_inner_element(const Scene &scene);
 
 } // namespace rimpact::scene

@@ -5,6 +5,7 @@
 #pragma once
 #include "io/files/choice.h"
 #include "scene/choices.h"
+#include "scene/impact_element.h"
 #include <algorithm>
 #include <optional>
 #include <string>
@@ -65,6 +66,8 @@ struct InnerSlider {
   double mass = 0.5;                                ///< [kg], > 0
   double mu_fast = 0.02, mu_slow = 0.02;            ///< of its lower face [-]
   std::optional<double> top_mu_fast = {}, top_mu_slow = {}; ///< of its upper face, where it differs [-]
+  bool own_rims = false; ///< the slide plates' rims have the element `rims`; else that of the plates, [reduced]'s
+  ImpactElement rims = {};
 
   double upper_radius() const { return top_radius.value_or(radius); } ///< R_3 [m]
   double upper_travel() const { return top_travel.value_or(travel); } ///< d_3 [m]

@@ -1,5 +1,7 @@
 #include "scene/isolator_keys.h"
 
+#include "scene/scene_keys.h"
+
 namespace rimpact::scene {
 
 namespace {
@@ -44,6 +46,10 @@ void visit_inner(KeyVisitor &v, InnerSlider &in) {
     v.limit({"top_mu_fast", "of the upper face; inf: as mu_fast"}, in.top_mu_fast, si, {0, 2});
   if (v.wants(in.top_mu_slow.has_value()))
     v.limit({"top_mu_slow", "of the upper face; inf: as top_mu_fast, or as mu_slow"}, in.top_mu_slow, si, {0, 2});
+  if (!v.wants(in.own_rims)) return;
+  v.flag({"own_rims", "the slide plates' rims have the law of [isolator.inner.rims], not that of [reduced]"},
+         in.own_rims);
+  v.section("rims", [&] { visit(v, in.rims); });
 }
 
 /// Of the double concave models: displacements at which the rims are touched, and the interface.

@@ -74,12 +74,20 @@ void check_superstructure(const Scene &s) {
                                  word(s.superstructure.kind), word(s.reduced.normal_force)));
 }
 
-void check_foot(const ReducedSettings &r) {
-  if (r.foot_force && r.foot_joint.empty())
-    throw InputError(
-        fmt::format("reduced.foot_force_kN {:g} needs reduced.foot_joint, the joint at the rim's foot that "
-                    "it is known for, in the words of a calibration",
-                    *r.foot_force / 1e3));
+void check_foot(const ImpactElement &element, const std::string &section) {
+  if (element.foot_force && element.foot_joint.empty())
+    throw InputError(fmt::format("{0}.foot_force_kN {1:g} needs {0}.foot_joint, the joint at the rim's foot that "
+                                 "it is known for, in the words of a calibration",
+                                 section, *element.foot_force / 1e3));
+}
+
+/// Of a triple pendulum's inner rims that have their own.
+void check_inner_element(const ImpactElement &element) {
+  if (element.impact_law->pushed)
+    throw InputError(fmt::format("{}.impact_law \"{}\" is for bearings of one dish; a triple pendulum takes the other "
+                                 "laws (rimpact list laws)",
+                                 inner_rims_section, element.impact_law->name));
+  check_foot(element, inner_rims_section);
 }
 
 /// A slider that sticks on a mass that bounces is no branch of the model's: friction has to be Park and Wen's.
@@ -147,7 +155,8 @@ void Scene::validate() const {
   if (reduced.impact_law->pushed) check_curve(*this);
   if (superstructure.any()) check_superstructure(*this);
   if (reduced.normal_force == NormalForce::pad) check_pad_spring(*this);
-  check_foot(reduced);
+  check_foot(reduced, reduced_section);
+  if (triple() && isolator.inner.own_rims) check_inner_element(isolator.inner.rims);
   check_measured_friction(*this);
   bounds.validate();
   check_path(*this);

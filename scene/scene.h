@@ -1,18 +1,16 @@
 /// A scene: a bearing, its load, what excites it, and the models' settings. Read from TOML, every default filled in.
 #pragma once
-#include "laws/impact/catalogue.h"
 #include "scene/bearing.h"
 #include "scene/bounds.h"
 #include "scene/choices.h"
 #include "scene/excitation.h"
 #include "scene/fitted_plates.h"
+#include "scene/impact_element.h"
 #include "scene/isolator.h"
 #include "scene/measured_friction.h"
 #include "scene/own_mesh_settings.h"
 #include "scene/superstructure.h"
 #include "scene/triple_pendulum.h"
-#include <cmath>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,24 +34,11 @@ struct FeSettings {
 };
 
 /// [reduced]: the physical model; friction, impact element and sampling of the other reduced models too.
-struct ReducedSettings : laws::LawNumbers {
+struct ReducedSettings : ImpactElement {
   ModelKind model = ModelKind::physical;
-  const laws::ImpactLaw *impact_law = &laws::default_law(); ///< of the rim; its numbers are those of LawNumbers
-  double capacity_offset = 0.0;                             ///< the reduced rim begins at L_c plus this [m]
-  std::string calibration =
-      {}; ///< folder the rim's law and numbers were taken from (key taken_from); empty: the scene's own keys
-  std::optional<double> fitted_from = {},
-                        fitted_to = {}; ///< approach speeds for which the element holds [m/s]; none: not known
-  std::optional<double> fitted_mass =
-      {}; ///< supported mass it holds for [kg]; none: the law belongs to the rim, not to the mass
-  std::optional<double> fitted_speeds_mass =
-      {}; ///< of the rim's own law: supported mass of fitted_from and fitted_to [kg]; at another they move as 1/sqrt(m)
-  std::string fitted_rim = {};     ///< rim_identity() of the bearing it was fitted to; empty: not known
+  double capacity_offset = 0.0;    ///< the reduced rim begins at L_c plus this [m]
+  std::string fitted_rim = {};     ///< rim_identity() of the bearing the element was fitted to; empty: not known
   FittedPlates fitted_plates = {}; ///< of rigid bodies, in the place of that identity
-  /// Of the rim [N], > 0: where the joint at its foot goes, and the law ends; none: no run it was fitted to went so
-  /// far.
-  std::optional<double> foot_force = {};
-  std::string foot_joint = {}; ///< strength_in_words() of that joint; empty: one piece with the plate, or not known
   Friction friction = Friction::coulomb;
   double elastic_slip = 1e-4; ///< q of the Park-Wen state [m] (key elastic_slip_mm)
   double mu_fast = 0.07, mu_slow = 0.07;
@@ -67,21 +52,10 @@ struct ReducedSettings : laws::LawNumbers {
   Integrator integrator = Integrator::own;
   double output_step = 0.005; ///< spacing of stored samples [s]; samples are dense during contact
 
-  /// By which fitted_from and fitted_to move at a supported mass [kg]: a rim's own law is fitted to depths.
-  double fitted_speed_scale(double mass) const {
-    return fitted_speeds_mass ? std::sqrt(*fitted_speeds_mass / mass) : 1.0;
-  }
   /// The element is of no calibration.
   void forget_fit() {
-    calibration.clear(), fitted_rim.clear(), fitted_plates = {};
-    fitted_from.reset(), fitted_to.reset(), fitted_mass.reset(), fitted_speeds_mass.reset();
-    forget_foot();
-  }
-  /// It is flown, or fitted, beyond the joint at the rim's foot.
-  void forget_foot() { foot_force.reset(), foot_joint.clear(); }
-  /// Of the rim, for a supported mass [kg]. Throws as laws::rim_element.
-  laws::RimElement element(double supported_mass) const {
-    return laws::rim_element(*impact_law, *this, supported_mass);
+    forget_calibration();
+    fitted_rim.clear(), fitted_plates = {};
   }
 };
 
@@ -101,6 +75,10 @@ struct Scene {
 
   bool impact_resilient() const { return reduced.model == ModelKind::lir_dcfp; }
   bool triple() const { return reduced.model == ModelKind::tfp; }
+  /// Of the rims between a triple pendulum's slide plates and its inner slider; of other bearings as of every rim.
+  const ImpactElement &inner_element() const {
+    return triple() && isolator.inner.own_rims ? isolator.inner.rims : reduced;
+  }
   /// Whether its bearing is of rigid bodies between two plates, [isolator].
   bool rigid_bodies() const { return reduced.model != ModelKind::physical; }
   /// "shfps-225"; of rigid bodies "tfp tfp-kim-2023" or "dcfp of [isolator]".

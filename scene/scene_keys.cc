@@ -8,6 +8,29 @@
 
 namespace rimpact::scene {
 
+void visit(KeyVisitor &v, ImpactElement &e) {
+  laws::visit(v, e, e.impact_law);
+  std::string read_before =
+      e.calibration; // the folder is read, and its element put in the file's place, before the keys are
+  if (v.wants(false)) v.text({"calibration", "folder to take law and numbers from"}, read_before);
+  if (v.wants(!e.calibration.empty()))
+    v.text({"taken_from", "calibration folder of the element; its numbers stand here"}, e.calibration);
+  if (v.wants(e.fitted_from.has_value()))
+    v.limit({"fitted_from_m_per_s", "slowest approach the element holds for"}, e.fitted_from, si, {0, 100});
+  if (v.wants(e.fitted_to.has_value())) v.limit({"fitted_to_m_per_s", "fastest"}, e.fitted_to, si, {0, 100});
+  if (v.wants(e.fitted_mass.has_value()))
+    v.limit({"fitted_mass_kg", "supported mass it holds for"}, e.fitted_mass, si, positive);
+  if (v.wants(e.fitted_speeds_mass.has_value()))
+    v.limit({"fitted_speeds_mass_kg", "of a rim's own law: supported mass of those speeds; they move as 1/sqrt(m)"},
+            e.fitted_speeds_mass, si, positive);
+  if (v.wants(!e.foot_joint.empty()))
+    v.text({"foot_joint", "what holds that rim on its plate; one piece, or not known, where it is left out"},
+           e.foot_joint);
+  if (v.wants(e.foot_force.has_value()))
+    v.limit({"foot_force_kN", "of the rim, at which that joint goes: a run of a reduced model stops there"},
+            e.foot_force, kilo, positive);
+}
+
 void visit(KeyVisitor &v, FittedPlates &p) {
   const auto known = [&](const Key &key, std::optional<double> &value, Unit unit) {
     if (v.wants(value.has_value())) v.limit(key, value, unit, positive);
@@ -86,37 +109,13 @@ void visit_model(KeyVisitor &v, ModelKind &model) {
         fmt::format("reduced.model \"{}\" is unknown; known: {}", written, fmt::join(words<ModelKind>(), ", ")));
 }
 
-/// Where the element comes from, and what it holds for.
-void visit_origin(KeyVisitor &v, ReducedSettings &r) {
-  if (v.wants(!r.calibration.empty()))
-    v.text({"taken_from", "calibration folder of the element; its numbers stand here"}, r.calibration);
-  if (v.wants(r.fitted_from.has_value()))
-    v.limit({"fitted_from_m_per_s", "slowest approach the element holds for"}, r.fitted_from, si, {0, 100});
-  if (v.wants(r.fitted_to.has_value())) v.limit({"fitted_to_m_per_s", "fastest"}, r.fitted_to, si, {0, 100});
-  if (v.wants(r.fitted_mass.has_value()))
-    v.limit({"fitted_mass_kg", "supported mass it holds for"}, r.fitted_mass, si, positive);
-  if (v.wants(r.fitted_speeds_mass.has_value()))
-    v.limit({"fitted_speeds_mass_kg", "of a rim's own law: supported mass of those speeds; they move as 1/sqrt(m)"},
-            r.fitted_speeds_mass, si, positive);
-  if (v.wants(!r.fitted_rim.empty())) v.text({"fitted_rim", "the rim it was fitted to"}, r.fitted_rim);
-  visit(v, r.fitted_plates);
-  if (v.wants(!r.foot_joint.empty()))
-    v.text({"foot_joint", "what holds that rim on its plate; one piece, or not known, where it is left out"},
-           r.foot_joint);
-  if (v.wants(r.foot_force.has_value()))
-    v.limit({"foot_force_kN", "of the rim, at which that joint goes: a run of a reduced model stops there"},
-            r.foot_force, kilo, positive);
-}
-
 void visit(KeyVisitor &v, ReducedSettings &r) {
   visit_model(v, r.model);
-  laws::visit(v, r, r.impact_law);
+  visit(v, static_cast<ImpactElement &>(r));
   if (v.wants(r.capacity_offset != 0))
     v.number({"capacity_offset_mm", "the reduced rim begins at L_c plus this"}, r.capacity_offset, milli, {-100, 100});
-  std::string read_before =
-      r.calibration; // the folder is read, and its element put in the file's place, before the keys are
-  if (v.wants(false)) v.text({"calibration", "folder to take law and numbers from"}, read_before);
-  visit_origin(v, r);
+  if (v.wants(!r.fitted_rim.empty())) v.text({"fitted_rim", "the rim it was fitted to"}, r.fitted_rim);
+  visit(v, r.fitted_plates);
   v.choice({.name = "friction", .meaning = "law of friction; park-wen has an elastic slip"}, r.friction);
   v.number({"elastic_slip_mm", "of park-wen"}, r.elastic_slip, milli, {1e-3, 1e3});
   v.number(

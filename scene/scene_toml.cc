@@ -3,9 +3,9 @@
 #include "io/files/text.h"
 #include "io/files/toml_reader.h"
 #include "io/records/record_library.h"
+#include "scene/adopted_calibration.h"
 #include "scene/bearing_keys.h"
 #include "scene/bearing_toml.h"
-#include "scene/calibrated_element.h"
 #include "scene/file_kind.h"
 #include "scene/isolator_catalogue.h"
 #include "scene/keys.h"
@@ -125,12 +125,17 @@ Scene parse_scene(const std::string &text, const std::string &origin, const std:
     reader.text({"file"}, bearing_file);
     read_bearing(file, reader, "bearing.", folder, scene.bearing);
   });
-  const auto typed = typed_element_keys(file);
+  const auto typed = typed_element_keys(file, reduced_section),
+             typed_inner = typed_element_keys(file, inner_rims_section);
   const TakenTerms taken = adopt_calibration(file, folder, scene.bearing, scene.remarks);
+  adopt_inner_calibration(file, folder, scene.remarks);
+  require_inner_element(file);
   scene.isolator = base_isolator(file);
   visit_settings(reader, scene);
   reader.finish();
-  forget_origin(typed, scene.reduced, scene.remarks);
+  if (is_changed_by_hand(typed, scene.reduced, scene.remarks)) scene.reduced.forget_fit();
+  if (auto &rims = scene.isolator.inner.rims; is_changed_by_hand(typed_inner, rims, scene.remarks))
+    rims.forget_calibration();
   if (!taken.keys.empty()) leave_out_what_does_not_fit(scene);
   for (const auto &key : taken.keys) file.erase(key); // the scene's own keys are judged from here on
   // Geometry first: a bearing that cannot be built is said before a record that is missing.

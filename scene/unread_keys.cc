@@ -20,6 +20,7 @@ struct ScenePart {
   bool always_named = false;
 };
 constexpr std::array parts{ScenePart{"excitation.", "excitation.kind", true},
+                           ScenePart{"isolator.inner.rims.", "isolator.inner.own_rims"},
                            ScenePart{"isolator.", "reduced.model", true},
                            ScenePart{"reduced.elastic_slip_mm", "reduced.friction"},
                            ScenePart{"reduced.rate_s_per_m", "reduced.mu_slow"},
@@ -107,8 +108,8 @@ bool has_no_effect(const std::string &path, const Scene &scene) {
 
 /// Keys that are read before the settings are, and leave numbers in other keys.
 bool is_read_before(const std::string &path) {
-  constexpr std::array keys{"reduced.calibration", "bearing.surface.file", "bearing.material.steel.grade",
-                            "bearing.material.steel.hardness_HB"};
+  constexpr std::array keys{"reduced.calibration", "isolator.inner.rims.calibration", "bearing.surface.file",
+                            "bearing.material.steel.grade", "bearing.material.steel.hardness_HB"};
   return std::find(keys.begin(), keys.end(), of_the_bearings_steel(path)) != keys.end();
 }
 
@@ -150,6 +151,7 @@ std::string choices_in_words(const std::vector<std::string> &unread, const std::
   std::set<std::string> others;
   for (const auto &path : unread)
     if (!part_of(path)->always_named) others.insert(choice_of(path));
+  if (others.count("isolator.inner.own_rims") > 0) others.insert("isolator.inner.rims.impact_law");
   std::string text;
   const auto name = [&](const std::string &choice) {
     text += fmt::format("{}{} {}{}", text.empty() ? "" : ", ", choice, text.empty() ? "is " : "", values.at(choice));

@@ -18,7 +18,6 @@ LEAST_FILES, LEAST_TABLES, LEAST_WORDS, LEAST_LAWS = 300, 25, 70, 6  #: fewer me
 EDGES = {
     ("app/verbs/calibrate_options.cc", "none"),  # the command line: --laws all | none
     ("studies/fleets/sweep.cc", "record"),  # a column
-    ("scene/element_doubts.cc", "reduced"),  # a section
 }
 
 

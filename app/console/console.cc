@@ -49,9 +49,12 @@ std::string Console::command() const {
 
 std::vector<std::string> Console::settings() const {
   std::vector<std::string> all;
-  if (!calibration.empty())
-    all.push_back("reduced.calibration=" +
-                  toml_quoted(std::filesystem::absolute(calibration).lexically_normal().string()));
+  const auto take = [&](const std::string &section, const std::string &given) {
+    if (!given.empty())
+      all.push_back(section +
+                    ".calibration=" + toml_quoted(std::filesystem::absolute(given).lexically_normal().string()));
+  };
+  take(scene::reduced_section, calibration), take(scene::inner_rims_section, inner_calibration);
   all.insert(all.end(), overrides.begin(), overrides.end());
   if (parse<SolvedBy>(rung) == SolvedBy::reduced)
     throw InputError("--rung reduced: the reduced model is no finite-element rung (rim, rigid-dish, full); use rimpact "
@@ -96,6 +99,9 @@ void Console::add_overrides(CLI::App &verb) {
       "--allow-script", [] { setenv(scene::script_permission, "1", 1); },
       "let gmsh run a .geo mesh: it is a program; only from hands you trust");
   verb.add_option("--calibration", calibration, "folder of a calibration: the rim's law and numbers are taken from it")
+      ->type_name("DIR");
+  verb.add_option("--inner-calibration", inner_calibration,
+                  "folder of a calibration: the law of a triple pendulum's inner rims (reduced.model tfp)")
       ->type_name("DIR");
 }
 

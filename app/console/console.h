@@ -13,6 +13,7 @@ public:
   bool quiet = false, verbose = false, json = false, force = false;
   std::vector<std::string> overrides;                      ///< --set
   std::string calibration;                                 ///< --calibration: a folder; empty: the scene's own element
+  std::string inner_calibration;                           ///< --inner-calibration: of a triple pendulum's inner rims
   std::string rung;                                        ///< --rung; empty: the scene's
   int mesh = -1;                                           ///< --mesh; negative: the scene's
   bool springs_are_read = false, isolator_is_read = false; ///< of [isolator] beside a dish, by a building
@@ -27,7 +28,8 @@ public:
   void data(const std::string &given) const; ///< stdout, printable
   const std::string &log() const { return log_; }
   const std::vector<std::string> &warnings() const { return warnings_; } ///< every sentence of warn()
-  /// Every key the command line gives, in the order in which they win: --calibration, --set, --rung, --mesh.
+  /// Every key the command line gives, in the order in which they win: --calibration, --inner-calibration, --set,
+  /// --rung, --mesh.
   std::vector<std::string> settings() const;
   /// As it was given, without the program's folder.
   std::string command() const;
@@ -38,7 +40,7 @@ public:
 
   void add_common(CLI::App &verb);    ///< --quiet, --verbose
   void add_json(CLI::App &verb);      ///< --json
-  void add_overrides(CLI::App &verb); ///< --set KEY=VALUE, --calibration DIR, --allow-script
+  void add_overrides(CLI::App &verb); ///< --set KEY=VALUE, --calibration DIR, --inner-calibration DIR, --allow-script
   void add_model(CLI::App &verb);     ///< --rung, --mesh
   void add_force(CLI::App &verb);     ///< --force
 

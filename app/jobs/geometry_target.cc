@@ -14,6 +14,7 @@ std::string not_of_geometry(const std::string &key) {
   if (is_in(key, "excitation.kind")) return "every run is an isolated impact (impact-window)";
   if (is_in(key, "excitation.speed_m_per_s") || is_in(key, "excitation.scale"))
     return "the speed is one of its ranges: --range speed=LOW:HIGH";
+  if (is_in(key, "isolator.inner.rims")) return "it presses a slider on dishes";
   if (is_in(key, "reduced.calibration") || is_of_a_fit(key)) return "each impact gets a k_i and e of its own";
   if (is_in(key, "bounds")) return bounds_are_reduced;
   return key == "name" ? "its runs are numbered" : "";
@@ -45,8 +46,9 @@ scene::Scene window_of(const GivenCase &given, const std::vector<std::string> &o
 }
 
 GivenCase geometry_target(const std::string &where, Console &console) {
-  if (!console.calibration.empty())
-    throw InputError("--calibration: geometry fits k_i and e to each impact by itself, it takes no element");
+  if (!console.calibration.empty() || !console.inner_calibration.empty())
+    throw InputError(
+        "--calibration, --inner-calibration: geometry fits k_i and e to each impact by itself, it takes no element");
   GivenCase given = given_case(where, console.overrides);
   refuse_unread(console.overrides, "geometry", not_of_geometry);
   require_bearing_under_rigid_mass(given.scene, "geometry");

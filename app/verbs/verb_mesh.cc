@@ -70,7 +70,8 @@ void list_drawing(const MeshOptions &options, Console &console) {
 
 void make_mesh(const MeshOptions &options, Console &console) {
   if (options.file.empty()) throw InputError("mesh needs -o FILE.msh, or --surfaces FILE to list a drawing");
-  if (!console.calibration.empty()) throw InputError("--calibration: a mesh has no impact element");
+  if (!console.calibration.empty() || !console.inner_calibration.empty())
+    throw InputError("--calibration, --inner-calibration: a mesh has no impact element");
   std::error_code none;
   for (const auto &input : {options.bearing, options.scene})
     if (std::filesystem::equivalent(input, options.file, none))

@@ -67,6 +67,24 @@ void find_conditions(const KeyDescriber &describer, std::vector<KeyDescription> 
   for (auto &key : keys) key.condition += key.counts_also;
 }
 
+/// A triple pendulum's inner rims have the element of [reduced] once more: what counts there counts here, by their own
+/// law.
+void take_conditions_of_reduced(std::vector<KeyDescription> &keys) {
+  const std::string inner = scene::inner_rims_section + ".", reduced = scene::reduced_section + ".";
+  const std::string own = "isolator.inner.own_rims";
+  for (auto &key : keys) {
+    if (key.path == own) key.condition = "reduced.model = tfp";
+    if (!key.path.starts_with(inner)) continue;
+    const std::string name = key.path.substr(inner.size());
+    const auto like =
+        std::find_if(keys.begin(), keys.end(), [&](const auto &other) { return other.path == reduced + name; });
+    std::string condition = like == keys.end() ? "" : like->condition;
+    if (const auto at = condition.find(reduced); at != std::string::npos) condition.replace(at, reduced.size(), inner);
+    key.condition = name == "calibration" ? "reduced.model = tfp" : own + " = true";
+    if (!condition.empty()) key.condition += "; " + condition;
+  }
+}
+
 } // namespace
 
 std::vector<KeyDescription> scene_keys() {
@@ -78,6 +96,7 @@ std::vector<KeyDescription> scene_keys() {
   for (auto &key : keys)
     if (key.preset.empty()) key.preset = presets.at(key.path);
   find_conditions(describer, keys);
+  take_conditions_of_reduced(keys);
   for (const auto &[path, meaning] :
        {std::pair{"name", "of the scene; default: the file's"},
         {"bearing.name", "a built-in bearing, or that of your own"},

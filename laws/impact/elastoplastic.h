@@ -15,6 +15,7 @@ struct ElastoplasticNumbers {
   double unloading_gain = 0.3;     ///< a [-], >= 0: unloading begins at k_i (1 + a (k_i d / F_y)^m)
   double unloading_exponent = 0.5; ///< m [-], > 0
   double dent_spread = 3.0;        ///< flank radius of a dent over that of slider and wall as circles [-], > 0
+  bool operator==(const ElastoplasticNumbers &) const = default;
 };
 
 /// First loading, F_y [c x / sqrt(1 + (c x)^2) + h ((1 + x)^p - 1) / p], and its slope; x = k_i d / F_y, c = 1 - h.

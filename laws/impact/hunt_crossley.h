@@ -7,6 +7,7 @@ namespace rimpact::laws {
 struct HuntCrossleyNumbers {
   double impact_exponent = 1.5; ///< n [-], > 0
   double reference_speed = 0.5; ///< at which the restitution holds [m/s], > 0
+  bool operator==(const HuntCrossleyNumbers &) const = default;
 };
 
 /// chi [s/m] of F = K d^n (1 + chi d') that gives restitution e at the approach speed v: with a = chi v,

@@ -16,7 +16,9 @@
 namespace rimpact::laws {
 
 /// The numbers of every law: a scene carries all, its law reads its own.
-struct LawNumbers : PairNumbers, HuntCrossleyNumbers, ElastoplasticNumbers, CurveNumbers {};
+struct LawNumbers : PairNumbers, HuntCrossleyNumbers, ElastoplasticNumbers, CurveNumbers {
+  bool operator==(const LawNumbers &) const = default;
+};
 
 /// Force and its partial derivatives; `d_speed` is zero except for laws that count the planar speed.
 struct ImpactForce {

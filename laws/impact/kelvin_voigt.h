@@ -8,6 +8,7 @@ namespace rimpact::laws {
 struct PairNumbers {
   double k_i = 4.5e8;        ///< impact stiffness [N/m]; 0 switches the impact element off
   double restitution = 0.65; ///< e in (0, 1]
+  bool operator==(const PairNumbers &) const = default;
 };
 
 /// xi of (2-20): -ln e / sqrt(pi^2 + ln^2 e) [-]. Throws InputError for e outside (0, 1].

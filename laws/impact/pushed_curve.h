@@ -8,6 +8,7 @@ namespace rimpact::laws {
 
 struct CurveNumbers {
   std::string impact_curve = {}; ///< file of the law curve, as `rimpact curve` writes it
+  bool operator==(const CurveNumbers &) const = default;
 };
 
 struct RimElement;

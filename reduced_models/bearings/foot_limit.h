@@ -19,8 +19,11 @@ struct FootLimit {
 };
 
 /// Of a scene's law: by its curve, whose push watched the joint, else by reduced.foot_force_kN, both only where they
-/// are of the scene's own joint. Rigid bodies have the joint of the calibration. Throws as rim_curve_of.
+/// are of the scene's own joint. Throws as rim_curve_of.
 FootLimit foot_limit(const scene::Scene &scene);
+
+/// Of a rim of rigid bodies: they have the joint of the calibration.
+FootLimit foot_limit(const scene::ImpactElement &element);
 
 /// Of a joint about which the law's numbers say nothing; empty: none.
 std::string doubt_of_foot(const scene::Scene &scene);

@@ -44,7 +44,7 @@ Joint interface(const scene::Scene &scene) {
 Parts double_concave_parts(const scene::Scene &scene, bool slow) {
   const auto &b = scene.isolator;
   const double H = b.slider_height(), D = b.slider_diameter;
-  Parts parts{.rim_mass = mass_before_rim(b, scene.load.mass)};
+  Parts parts{.stop_stiffness = scene.reduced.k_i / 2};
   if (scene.impact_resilient()) {
     parts.sliders = {{b.slider_mass * b.bottom_height / H, D, b.bottom_height},
                      {b.slider_mass * b.top_height / H, D, b.top_height}};
@@ -53,6 +53,7 @@ Parts double_concave_parts(const scene::Scene &scene, bool slow) {
     parts.sliders = {{b.slider_mass, D, H}};
     parts.joints = {dish(scene, true, slow), dish(scene, false, slow)};
   }
+  for (auto &joint : parts.joints) joint.rim_mass = mass_before_rim(b, scene.load.mass);
   return parts;
 }
 

@@ -27,18 +27,24 @@ RigidBody cylinder(const Slider &s, double gravity) {
 RigidBearing::RigidBearing(const scene::Scene &scene)
     : driven(!scene.excitation.is_dynamic()), parts(parts_of(scene, driven)),
       plate(static_cast<int>(parts.sliders.size())), building(scene), bearing_(scene.isolator),
-      capacity_(scene.lateral_capacity()), foot_(foot_limit(scene)), foot_gone_(foot_.sentence()) {
+      capacity_(scene.lateral_capacity()) {
   const auto &r = scene.reduced;
   const int n_sets = static_cast<int>(parts.joints.size());
   add_bodies(scene);
   system.contacts = contacts_of(parts, bearing_);
   system.deepest.assign(system.contacts.size(), 0.0);
   system.normal = {bearing_.contact_stiffness, contact_damping(bearing_, scene.load.mass, n_sets)};
-  for (int j = 0; j < n_sets; ++j) system.friction[j] = parts.joints[j].friction;
+  for (int j = 0; j < n_sets; ++j) {
+    const Joint &joint = parts.joints[j];
+    const scene::ImpactElement &element = element_of(scene, joint);
+    system.friction[j] = joint.friction;
+    if (element.k_i > 0) system.rim[j] = element.element(joint.rim_mass);
+    if (driven) system.rim[j].damping = 0;
+    const FootLimit limit = foot_limit(element);
+    foot_[j] = {limit, limit.sentence()};
+  }
   system.park_wen = r.friction == scene::Friction::park_wen && !driven;
   if (system.park_wen) system.elastic_slip = r.elastic_slip;
-  if (r.k_i > 0) system.rim = r.element(parts.rim_mass);
-  if (driven) system.rim.damping = 0;
 }
 
 void RigidBearing::add_bodies(const scene::Scene &scene) {
@@ -157,13 +163,15 @@ double RigidBearing::stored_energy(const MotionState &s) const {
 }
 
 /// By the force of all the points that press one rim.
-bool RigidBearing::breaks_a_rim(const MotionState &s) const {
-  if (!foot_.is_known()) return false;
+const RigidBearing::Foot *RigidBearing::broken_foot(const MotionState &s) const {
+  if (std::none_of(foot_.begin(), foot_.end(), [](const Foot &foot) { return foot.limit.is_known(); })) return nullptr;
   std::array<Vector3d, max_sets> force;
   force.fill(Vector3d::Zero());
   for (std::size_t i = 0; i < s.contact.size(); ++i)
     if (system.contacts[i].surface == Surface::rim) force[system.contacts[i].set] += s.contact[i].normal;
-  return std::any_of(force.begin(), force.end(), [&](const Vector3d &f) { return foot_.gone(f.norm()); });
+  for (int j = 0; j < max_sets; ++j)
+    if (foot_[j].limit.gone(force[j].norm())) return &foot_[j];
+  return nullptr;
 }
 
 const char *RigidBearing::lost(const MotionState &s) const {
@@ -171,7 +179,7 @@ const char *RigidBearing::lost(const MotionState &s) const {
     if (s.contact[i].passed)
       return system.contacts[i].surface == Surface::rim ? "the slider has left over a rim"
                                                         : "the top slider has left over the stop";
-  if (breaks_a_rim(s)) return foot_gone_.c_str();
+  if (const Foot *foot = broken_foot(s)) return foot->gone.c_str();
   // Past the angle at which the diagonal of all sliders stands upright a block does not come back.
   double rims = 0;
   for (int body = 0; body < plate; ++body) {

@@ -48,9 +48,12 @@ private:
   void add_bodies(const scene::Scene &scene);
   scene::Isolator bearing_;
   double capacity_;
-  FootLimit foot_; ///< of each rim
-  std::string foot_gone_;
-  bool breaks_a_rim(const MotionState &state) const;
+  struct Foot {
+    FootLimit limit;
+    std::string gone; ///< what `lost` says of it
+  };
+  std::array<Foot, max_sets> foot_; ///< of each joint's rim
+  const Foot *broken_foot(const MotionState &state) const;
 };
 
 } // namespace rimpact::reduced::rigid

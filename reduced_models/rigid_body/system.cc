@@ -28,13 +28,15 @@ Vector3d point_velocity(const Poses &poses, const Vector &velocity, int body, co
 double System::press(const Contact &c, std::size_t index, const Touch &touch, const Vector3d &v, double weight,
                      ContactForce &f) const {
   const double d = touch.penetration, rate = touch.normal.dot(v);
+  const laws::RimElement &element = rim[c.set];
   double stiffness = 0, damping = 0;
   if (!is_wall(c.surface)) {
     const double trial = normal.stiffness * d + normal.damping * rate;
     if (d > 0 && trial > 0) f.size = trial, stiffness = normal.stiffness, damping = normal.damping;
-  } else if (d > 0 && !touch.passed && rim.stiffness > 0) {
-    const auto law = rim.at({d, rate, v.norm(), deepest[index]});
-    if (!rim.law->unilateral || law.force > 0) f.size = law.force, stiffness = law.d_penetration, damping = law.d_rate;
+  } else if (d > 0 && !touch.passed && element.stiffness > 0) {
+    const auto law = element.at({d, rate, v.norm(), deepest[index]});
+    if (!element.law->unilateral || law.force > 0)
+      f.size = law.force, stiffness = law.d_penetration, damping = law.d_rate;
   }
   f.normal = -f.size * touch.normal;
   f.normal_power = f.size * rate;

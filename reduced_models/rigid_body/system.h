@@ -74,7 +74,7 @@ public:
   std::array<double, max_sets> temperature{}; ///< of the steel of each set, as the last step left it [degrees Celsius]
   double elastic_slip = coulomb_slip;         ///< q [m]
   bool park_wen = false;
-  laws::RimElement rim;
+  std::array<laws::RimElement, max_sets> rim; ///< of each set: its rim, or an interface's stop
   std::vector<bool>
       unmet; ///< of each contact: without force however deep, because the step under way began before it; may be empty
   std::vector<double> deepest; ///< of each contact: penetration of its wall before this impact [m]

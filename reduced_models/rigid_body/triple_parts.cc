@@ -18,11 +18,26 @@ FaceFriction given_friction(const scene::Scene &scene, double scene::FaceCoeffic
 }
 
 /// Pressed against all four rims, the relative turns t_i that cost the rims least under a given travel sum R_eff t_i
-/// penetrate each by about R_i t_i ~ a_i = R_eff,i / R_i: the bearing has 1 / sum a_i^2 of one rim's k, and of its c.
-double rims_in_series(const std::array<scene::TripleFace, 4> &faces) {
-  double squares = 0;
-  for (const auto &f : faces) squares += std::pow(f.effective_radius() / f.radius, 2);
-  return squares;
+/// press each with a_i = R_eff,i / R_i of the bearing's force: in series they have the flexibility sum a_i^2 / k_i.
+/// Those without a rim, k_i = 0, are left out.
+double flexibility(const std::array<scene::TripleFace, 4> &faces, const std::vector<Joint> &joints,
+                   const scene::Scene &scene) {
+  double sum = 0;
+  for (std::size_t i = 0; i < joints.size(); ++i)
+    if (const double k = element_of(scene, joints[i]).k_i; k > 0)
+      sum += std::pow(faces[i].effective_radius() / faces[i].radius, 2) / k;
+  return sum;
+}
+
+/// Dashpots in the proportion of the stiffnesses where the rims have one e: all of them together then return it with
+/// the supported mass. By (3-46) each has the bearing's own mass.
+void damp_rims(const scene::Scene &scene, const std::array<scene::TripleFace, 4> &faces, Parts &parts) {
+  const auto &b = scene.isolator;
+  const bool own = b.damped_mass == scene::DampedMass::bearing;
+  const double softness = flexibility(faces, parts.joints, scene);
+  for (auto &joint : parts.joints)
+    joint.rim_mass = own ? b.own_reduced_mass() : scene.load.mass * element_of(scene, joint).k_i * softness;
+  parts.stop_stiffness = softness > 0 ? 1 / softness : 0;
 }
 
 } // namespace
@@ -62,15 +77,14 @@ Parts triple_parts(const scene::Scene &scene, bool slow) {
     const auto &f = faces[i];
     const bool inner = i == 1 || i == 2;
     Joint j{.points_above = i < 2, .radius = f.radius, .effective_radius = f.effective_radius(), .half = f.half};
+    j.inner = inner;
     j.wall = f.rim_radius(), j.wall_height = f.rim_height, j.tilt = f.tilt(), j.name = set_names[i];
     j.face = inner ? f.half : scene::contact_radius(scene);
     j.friction = scene::sliding_law(scene, mu_slow[i], mu_fast[i]);
     if (inner) j.friction.table = nullptr, j.friction.area = std::numbers::pi * f.half * f.half;
     parts.joints.push_back(j);
   }
-  const double series = rims_in_series(faces);
-  parts.stop_share = 1 / series;
-  parts.rim_mass = b.damped_mass == scene::DampedMass::bearing ? b.own_reduced_mass() : scene.load.mass * series;
+  damp_rims(scene, faces, parts);
   return parts;
 }
 

@@ -77,9 +77,15 @@ def _rows(context: Context, part: str, title: str) -> list[Any]:
             continue
         name, unit = split_unit(key)
         marked = (key if part == "bearing" else f"{part}.{key}") in context.assumed
-        rows.append([LABELS.get(f"{part}.{name}") or LABELS.get(name) or _plain_key(name), plain(value), unit,
+        rows.append([_label(part, name), plain(value), unit,
                      "assumption" if marked else ""])
     return [{"span": title}, *rows] if rows else []
+
+
+def _label(part: str, name: str) -> str:
+    if name.startswith("inner.rims."):  # of a triple pendulum: an element as [reduced] has one
+        return "inner rims: " + _label("reduced", name.removeprefix("inner.rims."))
+    return LABELS.get(f"{part}.{name}") or LABELS.get(name) or _plain_key(name)
 
 
 def _flat(tree: dict[str, Any], prefix: str = "") -> Iterator[tuple[str, Any]]:

@@ -24,10 +24,8 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-/// Keys whose values name files, sought beside the sweep; records also on their shelf.
+/// Sought beside the sweep, as those of file_keys, and on their shelf.
 constexpr std::array record_keys{"excitation.x", "excitation.y", "excitation.z"};
-constexpr std::array file_keys{"excitation.file",     "bearing.file",        "bearing.surface.file",
-                               "model.own_mesh.file", "reduced.calibration", "reduced.impact_curve"};
 
 std::set<std::string> swept_files(const std::string &where, const Sweep &sweep) {
   std::set<std::string> files;

@@ -91,9 +91,7 @@ bool is_record(const std::string &key) {
 
 /// Whether the key's value names a file or, of a calibration, a folder.
 bool is_file(const std::string &key) {
-  static const std::set<std::string> keys{"bearing.file",        "bearing.surface.file", "excitation.file",
-                                          "model.own_mesh.file", "reduced.calibration",  "reduced.impact_curve"};
-  return keys.count(key) > 0;
+  return std::find(file_keys.begin(), file_keys.end(), key) != file_keys.end();
 }
 
 } // namespace

@@ -40,10 +40,16 @@
 #pragma once
 #include "io/files/table.h"
 #include "studies/fleets/implausible_runs.h"
+#include <array>
 #include <string>
 #include <vector>
 
 namespace rimpact::fleets {
+
+/// Keys whose values name files or, of a calibration, a folder, sought beside the sweep.
+inline constexpr std::array file_keys{"excitation.file",     "bearing.file",        "bearing.surface.file",
+                                      "model.own_mesh.file", "reduced.calibration", "isolator.inner.rims.calibration",
+                                      "reduced.impact_curve"};
 
 /// A value as the scene file would write it, and as the table shows it.
 struct Value {

@@ -50,6 +50,7 @@ TEST(TripleMounts, StandBesideDishesAndDoubleConcaveOnes) {
   f.nodes[0].bearing = "tfp", f.nodes[1].bearing = "tfp-kim-2023", f.nodes[2].bearing = "dcfp";
   scene::Scene dish = triple_pulse(0.4);
   dish.reduced.model = scene::ModelKind::physical, dish.isolator.name.clear();
+  dish.isolator.inner.own_rims = true, dish.isolator.inner.rims.k_i = 3e8;
   const auto bearings = bearings_of(f, dish);
   ASSERT_EQ(bearings.size(), 4U);
   EXPECT_EQ(bearings[0].isolator.name, scene::default_triple);
@@ -57,6 +58,8 @@ TEST(TripleMounts, StandBesideDishesAndDoubleConcaveOnes) {
   EXPECT_EQ(bearings[2].reduced.model, scene::ModelKind::dcfp);
   EXPECT_FALSE(bearings[3].rigid_bodies());
   for (const auto &s : bearings) EXPECT_EQ(s.isolator.space, scene::Space::spatial);
+  for (const int i : {0, 1})
+    EXPECT_EQ(bearings[i].inner_element().k_i, 3e8) << "as the scene's [reduced], its inner rims";
   const auto run = simulate(f, dish, bearings);
   ASSERT_EQ(run.summary.status, RunStatus::done) << run.summary.reason;
   EXPECT_LT(std::abs(run.summary.energy->imbalance_relative()), 1e-2);

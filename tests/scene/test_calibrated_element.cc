@@ -1,6 +1,7 @@
 // The rim's law from a calibration folder, in the place of a scene's own.
 #include "expect_error.h"
 #include "scene/bearing_catalogue.h"
+#include "scene/case_description.h"
 #include "scene/doubts.h"
 #include "scene/element_doubts.h"
 #include "scene/fitted_plates.h"
@@ -117,6 +118,56 @@ TEST(CalibratedElement, BringsPadAndSocket) {
   EXPECT_TRUE(std::any_of(between.remarks.begin(), between.remarks.end(), [](const std::string &remark) {
     return remark.find("left out: a slider between two dishes has neither") != std::string::npos;
   }));
+}
+
+/// Of a triple pendulum the law of its plates' rims and another one of its inner rims, each of one rim.
+TEST(CalibratedElement, InnerRimsTakeACalibrationOfTheirOwn) {
+  std::string json = answer("elastoplastic", element, "rim", "");
+  json.insert(json.size() - 2, R"(, "rims_in_series": 2)");
+  const Folder folder(json);
+  const std::string inner = "isolator.inner.rims.calibration=\"" + folder / "cal" + "\"";
+  const Scene s = load_scene("tfp-pulse", {inner});
+  EXPECT_TRUE(s.isolator.inner.own_rims);
+  const ImpactElement &rims = s.inner_element();
+  EXPECT_EQ(rims.impact_law->name, "elastoplastic");
+  EXPECT_DOUBLE_EQ(rims.k_i, 2 * 986665e3);
+  EXPECT_EQ(rims.calibration, folder / "cal");
+  EXPECT_EQ(rims.fitted_to, 1.0);
+  EXPECT_EQ(s.reduced.impact_law->name, "hunt-crossley") << "that of the plates' rims stays";
+  EXPECT_NE(describe_case(s).find("of the inner rims: elastoplastic, k_i = 1.97333e+06 kN/m"), std::string::npos)
+      << describe_case(s);
+  const Scene again = parse_scene(to_toml(s), "again.toml");
+  EXPECT_EQ(again.isolator, s.isolator);
+  const Scene both = load_scene("tfp-pulse", {folder.cal(), inner});
+  EXPECT_EQ(both.reduced.k_i, both.inner_element().k_i);
+  const Scene typed = load_scene("tfp-pulse", {inner, "isolator.inner.rims.k_i_kN_per_m=1e5"});
+  EXPECT_DOUBLE_EQ(typed.inner_element().k_i, 1e8);
+  EXPECT_TRUE(typed.inner_element().calibration.empty() && !typed.inner_element().fitted_to);
+  EXPECT_NE(typed.remarks.back().find("isolator.inner.rims.k_i_kN_per_m is given beside"), std::string::npos)
+      << typed.remarks.back();
+  const Scene off = load_scene("tfp-pulse", {inner, "isolator.inner.own_rims=false"});
+  EXPECT_EQ(&off.inner_element(), &off.reduced);
+  expect_error<InputError>([&] { load_scene("lir-dcfp-stages", {inner}); },
+                           {"reduced.model \"tfp\", not \"lir-dcfp\""});
+  expect_error<InputError>(
+      [&] {
+        load_scene("tfp-pulse", {"isolator.inner.own_rims=true", "isolator.inner.rims.impact_law=curve",
+                                 "isolator.inner.rims.k_i_kN_per_m=1e5"});
+      },
+      {"isolator.inner.rims.impact_law \"curve\""});
+  expect_error<InputError>([] { load_scene("tfp-pulse", {"isolator.inner.own_rims=true"}); },
+                           {"isolator.inner.own_rims needs isolator.inner.rims.k_i_kN_per_m"});
+  const std::string file = "[reduced]\nmodel = 'tfp'\n[isolator.inner]\nown_rims = false\n";
+  const auto apart = folder.write("apart.toml", file + "[isolator.inner.rims]\ncalibration = 'cal'\n");
+  expect_error<InputError>([&] { load_scene(apart); }, {"own_rims = false stands beside", "strike one of the two"});
+  EXPECT_TRUE(load_scene(folder.write("typed.toml", file), {inner}).isolator.inner.own_rims) << "what is typed wins";
+  const Scene signed_law =
+      load_scene("tfp-pulse", {"isolator.inner.own_rims=true", "isolator.inner.rims.k_i_kN_per_m=1e5",
+                               "isolator.inner.rims.yield_force_kN=500"});
+  EXPECT_NE(signed_law.remarks.back().find("isolator.inner.rims.impact_law \"signed\""), std::string::npos)
+      << signed_law.remarks.back();
+  const Scene alone = load_scene("tfp-pulse", {"isolator.inner.rims.k_i_kN_per_m=1e5"});
+  EXPECT_NE(alone.remarks.back().find("isolator.inner.rims.k_i_kN_per_m is not read"), std::string::npos);
 }
 
 TEST(CalibratedElement, AResolvedSceneNeedsTheFolderNoMore) {

@@ -1,4 +1,5 @@
 // The triple pendulum in time: energy, uplift, space, what it becomes where its inner slider sticks, friction's laws.
+#include "reduced_models/rigid_body/rigid_bearing.h"
 #include "reduced_models/simulate.h"
 #include "scene/isolator_catalogue.h"
 #include "scenes.h"
@@ -85,6 +86,67 @@ TEST(TripleMotion, WithAStickingInnerSliderIsADoubleConcaveBearing) {
     ASSERT_NEAR(at(triple.response, "displacement_x", t), at(one.response, "displacement_x", t),
                 5e-3 * one.summary.peak_displacement)
         << t;
+}
+
+/// A linear spring at each rim: its force is k of its own penetration.
+scene::Scene on_springs(double k_outer, double k_inner) {
+  auto s = driven(0.45);
+  s.reduced.impact_law = &laws::impact_law("no-tension"), s.reduced.restitution = 1, s.reduced.k_i = k_outer;
+  s.isolator.inner.own_rims = true;
+  auto &inner = s.isolator.inner.rims;
+  inner.impact_law = s.reduced.impact_law, inner.restitution = 1, inner.k_i = k_inner;
+  return s;
+}
+
+TEST(TripleMotion, InnerRimsMayHaveALawOfTheirOwn) {
+  const double k[] = {5e6, 2e7, 2e7, 5e6};
+  const auto run = simulate(on_springs(k[0], k[1]));
+  ASSERT_EQ(run.summary.status, RunStatus::done) << run.summary.reason;
+  EXPECT_LT(std::abs(run.summary.energy->imbalance_relative()), 1e-4);
+  for (int i = 0; i < 4; ++i) {
+    const auto &face = run.summary.extra["isolator"]["faces"][i];
+    const double force = face["rim_peak_force_N"], penetration = face["rim_peak_penetration_m"];
+    EXPECT_NEAR(force / penetration / k[i], 1, 1e-6) << i;
+  }
+  auto alike = on_springs(k[0], k[0]);
+  const double own = simulate(alike).summary.peak_lateral_force;
+  alike.isolator.inner.own_rims = false;
+  EXPECT_EQ(simulate(alike).summary.peak_lateral_force, own) << "the same law, given once or twice";
+}
+
+/// Springs in series: each is pressed with a_i = R_eff,i / R_i of the bearing's force. The dashpots are in the
+/// proportion of the springs, so that all together return e.
+TEST(TripleMotion, UnlikeRimsStandInSeries) {
+  auto s = on_springs(5e6, 2e7);
+  s.reduced.restitution = s.isolator.inner.rims.restitution = 0.5;
+  const rigid::RigidBearing bearing(s);
+  double flexibility = 0;
+  const auto faces = scene::triple_faces(s.isolator);
+  for (int i = 0; i < 4; ++i)
+    flexibility += std::pow(faces[i].effective_radius() / faces[i].radius, 2) / (i == 1 || i == 2 ? 2e7 : 5e6);
+  EXPECT_NEAR(bearing.parts.stop_stiffness * flexibility, 1, 1e-12);
+  const double k = bearing.parts.stop_stiffness, c = laws::damping_coefficient(k, 0.5, s.load.mass);
+  for (int i = 0; i < 4; ++i)
+    EXPECT_NEAR(bearing.system.rim[i].damping / bearing.system.rim[i].stiffness / (c / k), 1, 1e-12);
+  s.isolator.inner.rims.k_i = 0;
+  double outer = 0;
+  for (const int i : {0, 3}) outer += std::pow(faces[i].effective_radius() / faces[i].radius, 2) / 5e6;
+  EXPECT_NEAR(rigid::RigidBearing(s).parts.stop_stiffness * outer, 1, 1e-12) << "of those that are there";
+}
+
+TEST(TripleMotion, AnInnerRimBreaksOffByItsOwnFoot) {
+  auto s = on_springs(5e6, 2e7);
+  s.isolator.inner.rims.foot_force = 1e4, s.isolator.inner.rims.foot_joint = "welds";
+  const auto run = simulate(s);
+  EXPECT_EQ(run.summary.status, RunStatus::stopped);
+  EXPECT_NE(run.summary.reason.find("welds, goes at 10 kN"), std::string::npos) << run.summary.reason;
+  EXPECT_GT(run.summary.extra["isolator"]["faces"][0]["rim_peak_force_N"].get<double>(), 1e4)
+      << "the foot of the outer rim is another one";
+  s.isolator.inner.rims.forget_foot();
+  s.reduced.foot_force = 1e4, s.reduced.foot_joint = "bolts";
+  const auto outer = simulate(s);
+  EXPECT_NE(outer.summary.reason.find("bolts, goes at 10 kN"), std::string::npos) << outer.summary.reason;
+  EXPECT_LT(outer.summary.extra["isolator"]["faces"][0]["rim_peak_force_N"].get<double>(), 2e4);
 }
 
 TEST(TripleMotion, FrictionFollowsSpeedPressureAndHeatOfEveryFace) {
