@@ -6,8 +6,10 @@ from typing import Any
 from markupsafe import Markup
 
 from .errors import IoError, ReportError
+from .figure_processes import FigureProcesses
 from .interactive import Panel, data
-from .style import DPI, WIDTH, embedded, plt
+from .side_by_side import cores_to_use
+from .style import DPI, WIDTH, embedded, plt, set_aside
 
 
 @dataclass
@@ -63,32 +65,66 @@ def turning(model: Markup, caption: str) -> dict[str, Any]:
 
 
 class Pictures:
-    """Draws figures into one folder and embeds them. A figure that cannot be drawn becomes a sentence."""
+    """Draws figures into one folder and embeds them. A figure that cannot be drawn becomes a sentence.
+
+    After begin() they are painted side by side, and a block has its picture after finish() only."""
 
     def __init__(self, folder: str, problems: list[str]) -> None:
         self.folder, self.problems = folder, problems
+        self._processes: FigureProcesses | None = None
+        self._waiting: list[tuple[dict[str, Any], str, Any]] = []  #: block, name, its painting
 
     def path(self, name: str) -> str:
         safe = "".join(c if c.isalnum() or c in "-._" else "-" for c in name)
         return f"{self.folder}/{safe}.png"
+
+    def begin(self) -> None:
+        at_once = cores_to_use()
+        self._processes = FigureProcesses(at_once) if at_once > 1 else None
+
+    def finish(self) -> None:
+        """What could not be painted is a problem, and its block empty: pages leave it out."""
+        for block, name, painting in self._waiting:
+            try:
+                assert self._processes
+                block |= self._processes.result(painting)
+            except ValueError as error:
+                self._fail(name, error)
+                block.clear()
+        self._waiting, self._processes = [], None
 
     def figure(self, name: str, caption: str, draw: Callable[..., str | None], *arguments: Any,
                curves: Callable[..., list[Panel]] | None = None, **options: Any) -> dict[str, Any] | None:
         """draw(*arguments, path, **options) gives the path, or None when there is nothing to draw. `curves`(*arguments): the same
         for the page's script, to be zoomed."""
         path = self.path(name)
+        paints: list[Callable[[], str]] = []
         try:
-            drawn = draw(*arguments, path, **options)
+            if self._processes:
+                with set_aside() as paints:
+                    drawn = draw(*arguments, path, **options)
+            else:
+                drawn = draw(*arguments, path, **options)
             zoomed = data(curves(*arguments)) if drawn and curves else None
         except IoError:
             raise
         except (ReportError, KeyError, ValueError, IndexError, TypeError, ZeroDivisionError) as error:
             plt.close("all")
-            self.problems.append(f"figure {name} could not be drawn: {error}")
+            self._fail(name, error)
             return None
-        return self.existing(drawn, caption) | {"curves": zoomed} if drawn else None
+        if not drawn:
+            return None
+        block = {"kind": "figure", "caption": caption, "file": drawn.rsplit("/", 1)[-1], "curves": zoomed}
+        if self._processes:
+            self._waiting.append((block, name, self._processes.start(lambda: [paint() for paint in paints] and _embedded(drawn))))
+            return block
+        return block | _embedded(drawn)
 
-    def existing(self, path: str, caption: str) -> dict[str, Any]:
-        source, (width, height) = embedded(path)
-        share = min(100, round(100 * width / (WIDTH * DPI)))
-        return {"kind": "figure", "source": source, "caption": caption, "file": path.rsplit("/", 1)[-1], "share": share, "tall": height > 0.85 * width}
+    def _fail(self, name: str, error: Exception) -> None:
+        self.problems.append(f"figure {name} could not be drawn: {error}")
+
+
+def _embedded(path: str) -> dict[str, Any]:
+    """Of a figure's block: the picture and how it stands on the page."""
+    source, (width, height) = embedded(path)
+    return {"source": source, "share": min(100, round(100 * width / (WIDTH * DPI))), "tall": height > 0.85 * width}

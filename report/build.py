@@ -12,8 +12,10 @@ def build(folder: str, output: str | None = None, given: Document | None = None)
     output = output or os.path.join(folder, "report.html")
     ordinary = not os.path.exists(output) or os.path.isfile(output)
     context = Context(folder, os.path.join(folder, "figures"), os.path.dirname(os.path.abspath(output)) if ordinary else folder)
+    context.pictures.begin()
     first = first_page.make(context)
     made = [section for section in (make(context) for make in sections.CATALOGUE) if section is not None and section.blocks]
+    context.pictures.finish()
     page.write(output, "report.html.j2", head=sections.head(context, given or Document()), page=first, sections=made,
                problems=list(dict.fromkeys(context.problems)))
     return output, context.problems

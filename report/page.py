@@ -38,6 +38,9 @@ def _number(sections: list[Section]) -> None:
 
 
 def write(path: str, template: str, **content: Any) -> None:
-    _number(content.get("sections", []))
-    html = _environment().get_template(template).render(scripts=_scripts(content.get("sections", [])), **content)
+    sections = content.get("sections", [])
+    for section in sections:
+        section.blocks = [block for block in section.blocks if block]  # without figures that could not be painted
+    _number(sections)
+    html = _environment().get_template(template).render(scripts=_scripts(sections), **content)
     write_whole(path, lambda file: file.write(html.encode("utf-8", "replace")))

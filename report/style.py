@@ -1,8 +1,9 @@
 """One look for every figure: colour-blind safe (Okabe-Ito), thin axes, units on axes, no chart junk."""
 import base64
+import contextlib
 import io
 import os
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Iterator
 from typing import IO, Any
 
 import matplotlib.pyplot as plt
@@ -85,8 +86,31 @@ def write_png(fig: Figure, file: IO[bytes], dpi: int = DPI) -> None:
     fig.canvas.print_png(file, pil_kwargs={"compress_level": 6})
 
 
+#: Where save() leaves what paints a figure instead of painting it; None: it paints.
+_set_aside: list[Callable[[], str]] | None = None
+
+
+@contextlib.contextmanager
+def set_aside() -> Iterator[list[Callable[[], str]]]:
+    """Within it save() paints nothing: the list gets what does."""
+    global _set_aside
+    before, _set_aside = _set_aside, []
+    try:
+        yield _set_aside
+    finally:
+        _set_aside = before
+
+
 def save(fig: Figure, path: str, dpi: int = DPI) -> str:
     """A PNG, whole or not at all."""
+    if _set_aside is None:
+        return _paint(fig, path, dpi)
+    _set_aside.append(lambda: _paint(fig, path, dpi))
+    plt.close(fig)
+    return path
+
+
+def _paint(fig: Figure, path: str, dpi: int) -> str:
     try:
         os.makedirs(os.path.dirname(os.path.abspath(path)), exist_ok=True)
         write_whole(path, lambda file: write_png(fig, file, dpi))
