@@ -7,7 +7,7 @@ namespace rimpact::app {
 namespace {
 
 struct ThesisOptions {
-  std::string what = "list", records, folder = "results/thesis";
+  std::string what = "list", records, calibration, folder = "results/thesis";
   int jobs = 0; ///< side by side; 0: as many as there are cores
   bool cheap = false;
 };
@@ -16,6 +16,7 @@ std::vector<std::string> command(const ThesisOptions &options, const Console &co
   std::vector<std::string> words{"report.thesis", "--program=" + program_beside("rimpact"),
                                  "--output=" + options.folder};
   if (!options.records.empty()) words.push_back("--records=" + options.records);
+  if (!options.calibration.empty()) words.push_back("--calibration=" + options.calibration);
   if (options.jobs > 0) words.push_back(fmt::format("--jobs={}", options.jobs));
   if (options.cheap) words.emplace_back("--cheap");
   if (console.json) words.emplace_back("--json");
@@ -38,6 +39,9 @@ void add_thesis(CLI::App &verb, Console &console) {
   verb.add_flag("--cheap", options->cheap, "only what takes seconds: no finite elements");
   verb.add_option("--jobs", options->jobs, "runs side by side (default: one a core)")->check(CLI::Range(1, 64));
   verb.add_option("--records", options->records, "folder of your AT2 files (default: RIMPACT_RECORDS, else this one)");
+  verb.add_option("--calibration", options->calibration,
+                  "of bearings of two dishes: a law of their rims instead of the one assumed, beside which it stands")
+      ->type_name("DIR");
   verb.add_option("-o,--output", options->folder, "folder of runs, pictures and pages")->capture_default_str();
   console.add_common(verb);
   console.add_json(verb);

@@ -43,6 +43,11 @@ class Run:
     heavy: bool = False  #: finite elements, or longer than a minute
     records: list[str] = field(default_factory=list)
 
+    @property
+    def has_two_dishes(self) -> bool:
+        """Of chapters 3 and 4: models dcfp and lir-dcfp, or a scene that is named after them."""
+        return any("dcfp" in word for word in self.command)
+
 
 @dataclass
 class Number:
@@ -91,11 +96,11 @@ class Entry:
     def ids(self) -> list[str]:
         return [self.id, *self.also]
 
-    def runs(self) -> list[str]:
-        """Names of the runs it needs, in order, each once."""
+    def runs(self, causes: bool = True) -> list[str]:
+        """Names of the runs it needs, in order, each once; `causes`: those that take a cause away too."""
         named = [curve["run"] for panel in self.panels for curve in panel.get("curves", [])]
         for number in self.numbers:
-            for text in filter(None, (number.ours, number.without)):
+            for text in filter(None, (number.ours, number.without if causes else "")):
                 named += [term.split(":")[0].strip() for term in re.split("[;/]", text)]
         return list(dict.fromkeys(named))
 

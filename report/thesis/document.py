@@ -3,7 +3,7 @@ from ..errors import run_main
 from ..files import write_whole
 from ..numbers import sig
 from . import catalogue as catalogues
-from . import headlines
+from . import headlines, refitted
 from .catalogue import Catalogue
 from .results import Ours
 from .words import counts, made_by, printed, span
@@ -72,7 +72,7 @@ def text() -> str:
     lines = _opening(catalogue, ours) + _readings(catalogue)
     for chapter, title in CHAPTERS:
         lines += _chapter(catalogue, ours, chapter, title)
-    return "\n".join([*lines, *_not_met(catalogue, ours), *_not_compared(catalogue, ours)]) + "\n"
+    return "\n".join([*lines, *refitted.document(catalogue, ours), *_not_met(catalogue, ours), *_not_compared(catalogue, ours)]) + "\n"
 
 
 def main(arguments: list[str]) -> None:

@@ -15,9 +15,10 @@ from .words import counts
 
 def make(catalogue: Catalogue, ours: Ours, entries: list[Entry], options: argparse.Namespace) -> dict[str, Any]:
     """Prints each entry's numbers and the page's path; gives the same as JSON."""
-    runs = Runs(catalogue, options.program, options.output, options.records, options.cheap, options.quiet, options.jobs)
-    runs.make_all([name for entry in entries for name in entry.runs()])
+    runs = Runs(catalogue, options.program, options.output, options.records, options.cheap, options.quiet, options.jobs, options.calibration)
+    runs.make_all([name for entry in entries for name in entry.runs(causes=not ours.refitted)])
     pictures, made, sections = Pictures(os.path.join(options.output, "figures"), []), [], []
+    pictures.begin()
     told: set[str] = set()  # a run that is missing is said at the first entry that needs it
     for entry in entries:
         if not entry.panels and not entry.numbers:
@@ -25,7 +26,7 @@ def make(catalogue: Catalogue, ours: Ours, entries: list[Entry], options: argpar
                 sections.append(_section(entry, ours, None, []))
             continue
         figure = pictures.figure(entry.id, f"As the thesis lays it out: {entry.title}", _draw(entry, runs)) if entry.panels else None
-        ours.put(entry, [value_of(number, runs) for number in entry.numbers], [value_without_cause(number, runs) for number in entry.numbers])
+        ours.put(entry, [value_of(number, runs) for number in entry.numbers], [] if ours.refitted else [value_without_cause(number, runs) for number in entry.numbers])
         missing = [runs.missing[name] for name in entry.runs() if name in runs.missing]
         sections.append(_section(entry, ours, figure, missing))
         made.append({"id": entry.id, "numbers": tables.numbers_json(entry, ours), "missing": missing,
@@ -33,6 +34,7 @@ def make(catalogue: Catalogue, ours: Ours, entries: list[Entry], options: argpar
         if not options.json:
             _say(entry, ours, pictures.path(entry.id) if figure else None, [sentence for sentence in missing if sentence not in told])
         told.update(missing)
+    pictures.finish()
     name = "thesis" if len(entries) > 1 else entries[0].id
     path = os.path.join(options.output, f"{name}.html")
     os.makedirs(options.output, exist_ok=True)

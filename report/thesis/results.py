@@ -8,15 +8,20 @@ from .catalogue import FOLDER, Entry, Number
 
 WITHOUT = " (without the cause)"
 KEPT = os.path.join(FOLDER, "thesis", "ours.json")
+REFITTED = "numbers-refitted.json"  #: beside numbers.json, which is of the rims that the thesis has or we assumed
 VERDICTS = ("met", "not met", "apart", "not comparable", "not run")
 
 
 class Ours:
-    """Ours of every number, by entry and what it is of."""
+    """Ours of every number, by entry and what it is of. `refitted`: of rims with a law of the user's; those kept with the program, of the rims that
+    the thesis has or we assumed, stand beside them."""
 
-    def __init__(self, folder: str) -> None:
-        self.path = os.path.join(folder, "numbers.json")
-        self.values = read_any_json(KEPT) if os.path.isfile(KEPT) else {}
+    def __init__(self, folder: str, refitted: bool = False) -> None:
+        self.path = os.path.join(folder, REFITTED if refitted else "numbers.json")
+        kept = read_any_json(KEPT) if os.path.isfile(KEPT) else {}
+        self.refitted = refitted
+        self.assumed: dict[str, dict[str, float]] = kept if refitted else {}
+        self.values = {} if refitted else kept
         self.made: dict[str, dict[str, float]] = read_any_json(self.path) if os.path.isfile(self.path) else {}  #: in this folder
         for entry, numbers in self.made.items():
             self.values.setdefault(entry, {}).update(numbers)

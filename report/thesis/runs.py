@@ -1,4 +1,5 @@
 """Runs of the catalogue: made by rimpact's own verbs as child processes, kept once done, read by the figures and numbers."""
+import hashlib
 import json
 import os
 import subprocess
@@ -16,11 +17,14 @@ from .catalogue import FOLDER, Catalogue, Number
 
 class Runs:
     """`folder`: where they are kept, a folder each. `cheap`: heavy ones are read where they are kept, never made. `jobs`: so many of the others
-    run side by side; 0: as many as there are cores."""
+    run side by side; 0: as many as there are cores. `calibration`: a folder whose law the rims of two dishes have, instead of the one assumed."""
 
-    def __init__(self, catalogue: Catalogue, program: str, folder: str, records: str, cheap: bool = False, quiet: bool = False, jobs: int = 0) -> None:
+    def __init__(self, catalogue: Catalogue, program: str, folder: str, records: str, cheap: bool = False, quiet: bool = False, jobs: int = 0,
+                 calibration: str = "") -> None:
         self.catalogue, self.program, self.folder, self.records = catalogue, program, folder, records
         self.cheap, self.quiet, self.jobs = cheap, quiet, jobs or cores_to_use()
+        self.calibration = os.path.abspath(calibration) if calibration else ""
+        self._law = _digest(os.path.join(self.calibration, "calibration.json")) if calibration else ""
         self.missing: dict[str, str] = {}  #: name: the sentence why it is not there
         self._read: dict[str, Run] = {}
 
@@ -33,6 +37,8 @@ class Runs:
         words = []
         for word in self.catalogue.runs[name].command:
             words += _law() if word == "{law}" else [word.replace("{records}", os.path.abspath(self.records))]
+        if self.calibration and self.catalogue.runs[name].has_two_dishes:
+            return [*_without_element(words), "--calibration", self.calibration]
         return words
 
     def make(self, name: str) -> bool:
@@ -63,7 +69,12 @@ class Runs:
     def _is_done(self, name: str) -> bool:
         """Kept from before, by the same command, to its end."""
         noted = os.path.join(self.place(name), "command.json")
-        return os.path.isfile(noted) and read_any_json(noted) == self.words(name)
+        return os.path.isfile(noted) and read_any_json(noted) == self._identity(name)
+
+    def _identity(self, name: str) -> list[str]:
+        """Its command, and what the calibration's file holds: a folder may be made anew."""
+        words = self.words(name)
+        return [*words, self._law] if self.calibration and words[-1] == self.calibration else words
 
     def _whole(self, name: str) -> list[str]:
         end = ["--json"] if self.catalogue.runs[name].json else ["-o", self.place(name), "--force", "--quiet"]
@@ -81,7 +92,7 @@ class Runs:
             return
         if self.catalogue.runs[name].json:
             _write(os.path.join(place, "output.json"), json.loads(done.stdout))
-        _write(os.path.join(place, "command.json"), self.words(name))
+        _write(os.path.join(place, "command.json"), self._identity(name))
 
     def response(self, name: str) -> Run | None:
         """The run as report.run_folder reads it; None where it is not there."""
@@ -98,6 +109,21 @@ class Runs:
         place = self.place(name)
         kind = "output.json" if self.catalogue.runs[name].json else "summary.json"
         return read_any_json(place if place.endswith(".json") else os.path.join(place, kind))
+
+
+def _digest(path: str) -> str:
+    try:
+        with open(path, "rb") as file:
+            return hashlib.sha256(file.read()).hexdigest()
+    except OSError as error:
+        raise DataError(f"cannot read {path}: {error.strerror}") from None
+
+
+def _without_element(words: list[str]) -> list[str]:
+    """A command's words without the settings of the rims' element, which would win over a calibration."""
+    element = tuple(f"reduced.{key}=" for key in ("impact_law", "k_i_kN_per_m", "restitution"))
+    dropped = {i for i, word in enumerate(words) if word.startswith(element)}
+    return [word for i, word in enumerate(words) if i not in dropped and i + 1 not in dropped]
 
 
 def _law() -> list[str]:

@@ -6,7 +6,7 @@ from ..numbers import sig
 from . import headlines
 from .catalogue import Catalogue, Entry
 from .results import Ours
-from .words import counts, made_by, number_json, printed, span, word
+from .words import counts, made_by, number_json, printed, span
 
 
 def list_text(catalogue: Catalogue, ours: Ours) -> str:
@@ -46,7 +46,8 @@ def numbers_text(entry: Entry, ours: Ours) -> str:
     lines = []
     for row in numbers_json(entry, ours):
         number = next(n for n in entry.numbers if n.what == row["what"])
-        lines.append(f"  {row['what']:52} thesis {printed(number):>8}  ours {sig(row['ours'], 4):>8} {row['unit']:5} {row['verdict']}"
+        assumed = f"  assumed rims {sig(row['assumed_rims'], 4):>8}" if ours.refitted else ""
+        lines.append(f"  {row['what']:52} thesis {printed(number):>8}{assumed}  ours {sig(row['ours'], 4):>8} {row['unit']:5} {row['verdict']}"
                      + (f": {row['word']}" if row["word"] else ""))
     return "\n".join(lines)
 
@@ -54,6 +55,9 @@ def numbers_text(entry: Entry, ours: Ours) -> str:
 def numbers_block(entry: Entry, ours: Ours) -> dict[str, Any] | None:
     rows = []
     for number in entry.numbers:
-        verdict = number.verdict(ours.of(entry, number))
-        rows.append([number.what, number.unit, printed(number), sig(ours.of(entry, number), 4), verdict, word(number, verdict)])
+        row = number_json(number, entry, ours)
+        assumed = [sig(row["assumed_rims"], 4)] if ours.refitted else []
+        rows.append([number.what, number.unit, printed(number), *assumed, sig(row["ours"], 4), row["verdict"], row["word"]])
+    if ours.refitted:
+        return table(["", "unit", "thesis", "assumed rims", "this law", "", ""], rows, left=(0, 1, 5, 6), prose=True)
     return table(["", "unit", "thesis", "ours", "", ""], rows, left=(0, 1, 4, 5), prose=True)

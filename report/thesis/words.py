@@ -32,4 +32,5 @@ def span(entry: Entry) -> str:
 def number_json(n: Number, entry: Entry, ours: Ours) -> dict[str, Any]:
     value = ours.of(entry, n)
     return {"what": n.what, "printed": n.printed, "at_least": n.at_least, "unit": n.unit, "within": n.within, "resolved": n.resolved, "ours": value,
-            "without_cause": ours.without_cause(entry, n), "verdict": n.verdict(value), "word": word(n, n.verdict(value))}
+            "without_cause": ours.without_cause(entry, n), "verdict": n.verdict(value), "word": "" if ours.refitted else word(n, n.verdict(value)),
+            **({"assumed_rims": ours.assumed.get(entry.id, {}).get(n.what)} if ours.refitted else {})}

@@ -11,10 +11,10 @@ from report.data_files import read_any_json
 from report.errors import DataError, InputError
 from report.style import plt
 from report.thesis import catalogue as catalogues
-from report.thesis import document, headlines, probabilities
+from report.thesis import document, headlines, probabilities, refitted
 from report.thesis.catalogue import Number
 from report.thesis.results import Ours
-from report.thesis.runs import value_of, value_without_cause
+from report.thesis.runs import Runs, value_of, value_without_cause
 from report.thesis.spectrum import pseudo_acceleration
 
 FIGURES = {"2": 39, "3": 26, "4": 25, "A": 4, "B": 2}
@@ -197,6 +197,61 @@ class Listing(InFolder):
         run = in_process("report.thesis", "fig-2-3", "--program", "/bin/false", "--output", self.folder, "--records", os.path.join(self.folder, "nowhere"))
         self.assertEqual(run.returncode, 2, run.stderr)
         self.assertIn("nowhere is no folder", run.stderr)
+
+    def test_a_law_of_the_rims_replaces_the_assumed_one(self):
+        catalogue = catalogues.load()
+        rigid = [name for name, run in catalogue.runs.items() if run.has_two_dishes]
+        self.assertGreater(len(rigid), 20)
+        self.write("calibration.json", "{}")
+        runs, assumed = (Runs(catalogue, "none", self.folder, self.folder, calibration=law) for law in (self.folder, ""))
+        for name in catalogue.runs:
+            words = runs.words(name)
+            if name not in rigid:
+                self.assertEqual(words, assumed.words(name))
+                continue
+            self.assertEqual(words[-2:], ["--calibration", self.folder])
+            self.assertFalse([word for word in words if word.startswith(("reduced.impact_law", "reduced.k_i", "reduced.restitution"))])
+            lost = [word for word in assumed.words(name) if word not in words]
+            self.assertEqual(len(words), len(assumed.words(name)) + 2 - 2 * len(lost), "each setting goes with its --set")
+            self.assertEqual(words.count("--set"), sum(word == "--set" for word in assumed.words(name)) - len(lost))
+
+    def test_a_law_made_anew_makes_its_runs_anew(self):
+        catalogue = catalogues.load()
+        name = next(name for name, run in catalogue.runs.items() if run.has_two_dishes and not run.records)
+        def runs() -> Runs:
+            return Runs(catalogue, "/bin/true", self.folder, self.folder, quiet=True, calibration=self.folder)
+        self.write("calibration.json", "{}")
+        self.assertTrue(runs()._is_wanted(name))
+        self.assertTrue(runs().make(name))
+        self.assertFalse(runs()._is_wanted(name))
+        self.write("calibration.json", '{"answer": 1}')
+        self.assertTrue(runs()._is_wanted(name))
+
+    def test_numbers_of_the_two_kinds_of_rims_are_kept_apart(self):
+        entry = catalogues.load().find("fig-4-4")
+        assumed, found = Ours(self.folder), Ours(self.folder, refitted=True)
+        found.put(entry, [9.0] * len(entry.numbers), [])
+        again = Ours(self.folder)
+        self.assertEqual([again.of(entry, number) for number in entry.numbers], [assumed.of(entry, number) for number in entry.numbers])
+        self.assertEqual(Ours(self.folder, refitted=True).of(entry, entry.numbers[0]), 9.0)
+
+    def test_what_takes_no_law_says_so(self):
+        run = in_process("report.thesis", "fig-4-4", "--program", "/bin/false", "--output", self.folder, "--calibration", os.path.join(self.folder, "none"))
+        self.assertEqual((run.returncode, "holds no calibration.json" in run.stderr), (2, True), run.stderr)
+        self.write("calibration.json", "{}")
+        run = in_process("report.thesis", "fig-2-3", "--program", "/bin/false", "--output", self.folder, "--calibration", self.folder)
+        self.assertEqual((run.returncode, "fig-2-3 has no bearing of two dishes" in run.stderr), (2, True), run.stderr)
+
+    def test_the_page_has_what_the_found_rims_change(self):
+        catalogue, assumed = catalogues.load(), Ours("/nonexistent")
+        page = "\n".join(refitted.document(catalogue, assumed))
+        numbers = read_any_json(refitted.KEPT)["numbers"]
+        self.assertGreater(sum(map(len, numbers.values())), 300)
+        changed, hardly = "base x, Newhall, DCFP", "ductility, DCFP 25 cm"
+        before, after = assumed.values["table-3-10"][changed], numbers["table-3-10"][changed]
+        self.assertIn(f"| table-3-10 | {changed} | 0.8600 g | {before:.3g} | {after:.3g} | {100 * (after / before - 1):+.0f} % |", page)
+        self.assertNotIn(hardly, page)
+        self.assertLess(abs(numbers["fig-4-4"][hardly] / assumed.values["fig-4-4"][hardly] - 1), refitted.NOTABLE)
 
     def test_what_is_missing_is_named(self):
         run = in_process("report.thesis", "table-3-2", "--program", "/bin/false", "--output", self.folder, "--records", self.folder)
