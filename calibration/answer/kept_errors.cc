@@ -1,4 +1,5 @@
 #include "calibration/answer/kept_errors.h"
+#include "scene/bearing_catalogue.h"
 #include "scene/rim_identity.h"
 #include <algorithm>
 #include <array>
@@ -15,13 +16,25 @@ struct WindowOfRungs {
   scene::Rung rung;
   double deep, peak_force, rebound; ///< [m], [N], [-]
 };
-/// Of the default bearing (tests/verification/windows_of_rungs.txt).
-constexpr std::array windows_of_rungs{WindowOfRungs{0.10, scene::Rung::rim, 0.767e-3, 569.0e3, 0.7061},
-                                      WindowOfRungs{0.10, scene::Rung::rigid_dish, 0.740e-3, 559.0e3, 0.7086},
-                                      WindowOfRungs{0.10, scene::Rung::full, 0.751e-3, 555.8e3, 0.7172},
-                                      WindowOfRungs{0.50, scene::Rung::rim, 8.621e-3, 1530.6e3, 0.2650},
-                                      WindowOfRungs{0.50, scene::Rung::rigid_dish, 8.313e-3, 1486.3e3, 0.2414},
-                                      WindowOfRungs{0.50, scene::Rung::full, 8.342e-3, 1481.1e3, 0.2466}};
+struct KeptWindows {
+  const char *bearing;
+  std::array<WindowOfRungs, 6> windows;
+};
+/// tests/verification/windows_of_rungs.txt and windows_of_rungs_dcfp.txt.
+constexpr std::array kept_windows{KeptWindows{"shfps-225",
+                                              {{{0.10, scene::Rung::rim, 0.767e-3, 569.0e3, 0.7061},
+                                                {0.10, scene::Rung::rigid_dish, 0.740e-3, 559.0e3, 0.7086},
+                                                {0.10, scene::Rung::full, 0.751e-3, 555.8e3, 0.7172},
+                                                {0.50, scene::Rung::rim, 8.621e-3, 1530.6e3, 0.2650},
+                                                {0.50, scene::Rung::rigid_dish, 8.313e-3, 1486.3e3, 0.2414},
+                                                {0.50, scene::Rung::full, 8.342e-3, 1481.1e3, 0.2466}}}},
+                                  KeptWindows{"dcfp-155",
+                                              {{{0.10, scene::Rung::rim, 1.775e-3, 253.9e3, 0.3849},
+                                                {0.10, scene::Rung::rigid_dish, 1.742e-3, 261.3e3, 0.4032},
+                                                {0.10, scene::Rung::full, 1.785e-3, 248.3e3, 0.4034},
+                                                {0.50, scene::Rung::rim, 14.764e-3, 1034.8e3, 0.1911},
+                                                {0.50, scene::Rung::rigid_dish, 14.503e-3, 1030.0e3, 0.1974},
+                                                {0.50, scene::Rung::full, 14.777e-3, 1052.1e3, 0.2062}}}}};
 
 double off(double value, double reference) {
   return std::abs(value / reference - 1);
@@ -66,18 +79,22 @@ std::vector<KeptError> rung_errors(const std::vector<StoredStudy> &studies, cons
       break;
     }
   }
-  if (between) return found;
-  for (const auto &own : windows_of_rungs)
-    for (const auto &full : windows_of_rungs)
-      if (word(own.rung) == rung && full.rung == scene::Rung::full && own.rung != full.rung && own.speed == full.speed)
-        found.push_back({.load = "window with weight and friction",
-                         .speed = own.speed,
-                         .deep = own.deep,
-                         .peak_force = off(own.peak_force, full.peak_force),
-                         .rebound = off(own.rebound, full.rebound),
-                         .depth = off(own.deep, full.deep),
-                         .from = "kept windows of three rungs",
-                         .same_rim = scene::rim_identity(scene::Bearing()) == rim});
+  for (const auto &[name, windows] : kept_windows) {
+    const scene::Bearing kept = scene::builtin_bearing(name);
+    if (kept.double_concave() != between) continue;
+    for (const auto &own : windows)
+      for (const auto &full : windows)
+        if (word(own.rung) == rung && full.rung == scene::Rung::full && own.rung != full.rung &&
+            own.speed == full.speed)
+          found.push_back({.load = "window with weight and friction",
+                           .speed = own.speed,
+                           .deep = own.deep,
+                           .peak_force = off(own.peak_force, full.peak_force),
+                           .rebound = off(own.rebound, full.rebound),
+                           .depth = off(own.deep, full.deep),
+                           .from = "kept windows of three rungs",
+                           .same_rim = scene::rim_identity(kept) == rim});
+  }
   return found;
 }
 

@@ -17,7 +17,8 @@ struct KeptError {
 };
 
 /// A rung against `full` on the same mesh, by every study that ran both, and by kept windows of shfps-225
-/// (tests/verification/windows_of_rungs.txt). Of a slider between two dishes by studies of its own rim alone.
+/// (tests/verification/windows_of_rungs.txt). Of a slider between two dishes by studies of its own rim, and by kept
+/// windows of dcfp-155 (windows_of_rungs_dcfp.txt there).
 std::vector<KeptError> rung_errors(const std::vector<StoredStudy> &studies, const std::string &rung,
                                    const scene::Bearing &bearing);
 
