@@ -54,6 +54,25 @@ class Runs(Scratch):
         self.assertIn("Triple friction pendulum name tfp-kim-2023", page)
         self.assertNotIn("Assumed, not given", page)  # of a dish, of which nothing is read
 
+    def test_each_stop_has_its_own_law(self) -> None:
+        for stop, k in (("outer", 3e5), ("inner", 2e6)):
+            os.makedirs(f"{self.folder}/{stop}")
+            law = {"name": "bilinear", "belongs_to": "rim", "element": {"k_i": {"value": k / 2, "unit": "kN/m"}, "yield_force": {"value": 500.0, "unit": "kN"},
+                                                                        "hardening": {"value": 0.1, "unit": "-"}}}
+            with open(f"{self.folder}/{stop}/calibration.json", "w") as file:
+                json.dump({"answer": {"bearing": stop, "rims_in_series": 2, "law": law}}, file)
+        run = rimpact("reduced", "tfp-pulse", "--calibration", self.folder + "/outer", "--inner-calibration", self.folder + "/inner", "-o", self.folder + "/run")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertRegex(run.stdout, "impact element: bilinear, k_i = 300000 kN/m.*outer")
+        self.assertRegex(run.stdout, "of the inner rims: bilinear, k_i = 2e[+]06 kN/m.*inner")
+        again = rimpact("reduced", self.folder + "/run/scene.toml", "-o", self.folder + "/again", "--quiet")
+        self.assertEqual(again.returncode, 0, again.stderr)
+        with open(self.folder + "/run/response.csv") as one, open(self.folder + "/again/response.csv") as other:
+            self.assertEqual(one.read(), other.read(), "a run needs the folders no more")
+        self.done("report", self.folder + "/run")
+        with open(self.folder + "/run/report.html", encoding="utf-8") as file:
+            self.assertIn("inner rims: impact stiffness", html.unescape(file.read()))
+
     def test_what_was_run_runs_again(self) -> None:
         self.done("reduced", "tfp-stages", "-o", self.folder, "--quiet")
         again = rimpact("reduced", self.folder + "/scene.toml", "-o", self.folder + "-again", "--json")
@@ -133,6 +152,10 @@ class Refused(Refusals):
                                 ("excitation.direction_deg=30", "needs \"spatial\""), ('reduced.impact_law="curve"', "impact_curve")):
             self.refused(2, needle, arguments=["reduced", "tfp-pulse", "-o", "nowhere", "--set", setting])
         self.refused(2, "one dish", arguments=["reduced", "tfp-pulse", "-o", "nowhere", "--nodes", "0,100"])
+
+    def test_a_law_of_inner_rims_elsewhere(self) -> None:
+        for verb, *words in (["geometry", "shfps-225", "--dry-run"], ["mesh", "shfps-225", "-o", "nowhere.msh"], ["reduced", "impact-window", "-o", "nowhere"]):
+            self.refused(2, "inner", arguments=[verb, *words, "--inner-calibration", "/nowhere"])
 
     def test_a_bearing_of_bearing_beside_rigid_bodies(self) -> None:
         self.refused(2, "--bearing dcfp-155", "[isolator]", arguments=["new", "/proc/nowhere", "--scene", "tfp-stages", "--bearing", "dcfp-155"])
