@@ -50,8 +50,8 @@ void take_triple(const std::string &name, scene::Scene &s) {
   s.reduced.model = scene::ModelKind::tfp, s.isolator = scene::builtin_isolator(name);
   s.isolator.space = given.space, s.isolator.points = given.points, s.isolator.rim = given.rim;
   s.isolator.step_tolerance = given.step_tolerance;
-  s.isolator.inner.own_rims = given.inner.own_rims,
-  s.isolator.inner.rims = given.inner.rims; // as [reduced] is the scene's
+  s.isolator.inner.own_rims = given.inner.own_rims; // the scene's laws, as its [reduced]
+  s.isolator.inner.rims = given.inner.rims;
 }
 
 bool is_of_catalogue(const std::string &where) {

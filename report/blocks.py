@@ -1,4 +1,5 @@
 """What a section is made of. Each block is a small dictionary that the template knows how to draw."""
+import contextlib
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from typing import Any
@@ -98,12 +99,8 @@ class Pictures:
         """draw(*arguments, path, **options) gives the path, or None when there is nothing to draw. `curves`(*arguments): the same
         for the page's script, to be zoomed."""
         path = self.path(name)
-        paints: list[Callable[[], str]] = []
         try:
-            if self._processes:
-                with set_aside() as paints:
-                    drawn = draw(*arguments, path, **options)
-            else:
+            with set_aside() if self._processes else contextlib.nullcontext([]) as paints:
                 drawn = draw(*arguments, path, **options)
             zoomed = data(curves(*arguments)) if drawn and curves else None
         except IoError:

@@ -93,22 +93,24 @@ void put(TomlFile &file, const std::string &section, const std::vector<std::stri
 }
 
 /// Of element_keys(), those that the inner rims of a triple pendulum have too.
-std::vector<std::string> inner_rim_keys() {
-  KeyList list("", true);
-  ImpactElement element;
-  visit(list, element);
-  std::vector<std::string> keys;
-  for (const auto &key : element_keys())
-    if (std::any_of(list.entries.begin(), list.entries.end(), [&](const auto &entry) { return entry.key.name == key; }))
-      keys.push_back(key);
+const std::vector<std::string> &inner_rim_keys() {
+  static const std::vector<std::string> keys = [] {
+    KeyList list("", true);
+    ImpactElement element;
+    visit(list, element);
+    std::vector<std::string> known = element_keys();
+    std::erase_if(known, [&](const std::string &key) {
+      return std::none_of(list.entries.begin(), list.entries.end(),
+                          [&](const KeyEntry &entry) { return entry.key.name == key; });
+    });
+    return known;
+  }();
   return keys;
 }
 
-const std::string own_rims = "isolator.inner.own_rims";
-
 /// None where it is not given; the reader says what is wrong with one that is neither true nor false.
 std::optional<bool> own_rims_in(const TomlFile &file) {
-  const auto *given = file.find(own_rims);
+  const auto *given = file.find(own_rims_key);
   return given && given->is_boolean() ? std::optional(given->as_boolean()->get()) : std::nullopt;
 }
 
@@ -149,11 +151,11 @@ void adopt_inner_calibration(TomlFile &file, const std::string &folder, std::vec
   take_one_rim(file, element);
   element.values["taken_from"] = toml_quoted(asked->path);
   put(file, inner_rims_section, inner_rim_keys(), element, *asked, remarks);
-  if (file.is_set(own_rims)) return;
+  if (file.is_set(own_rims_key)) return;
   if (own_rims_in(file) == false && !asked->typed)
     throw InputError(fmt::format("{}: {} = false stands beside {}.calibration of {}: strike one of the two",
-                                 file.location(own_rims), own_rims, inner_rims_section, asked->place));
-  file.set(own_rims + "=true", element.origin);
+                                 file.location(own_rims_key), own_rims_key, inner_rims_section, asked->place));
+  file.set(own_rims_key + "=true", element.origin);
 }
 
 void require_inner_element(const TomlFile &file) {
@@ -161,7 +163,7 @@ void require_inner_element(const TomlFile &file) {
   if (own_rims_in(file) != true || file.find(needed)) return;
   throw InputError(fmt::format("{}: {} needs {}, and what else the law of these rims reads (rimpact list laws), or {}."
                                "calibration",
-                               file.location(own_rims), own_rims, needed, inner_rims_section));
+                               file.location(own_rims_key), own_rims_key, needed, inner_rims_section));
 }
 
 bool is_changed_by_hand(const std::vector<std::string> &typed, const ImpactElement &element,

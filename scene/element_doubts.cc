@@ -111,7 +111,8 @@ bool published_pair_applies(const Scene &scene) {
 bool has_default_element(const Scene &scene) {
   Scene untouched = scene;
   untouched.reduced = {};
-  const laws::ImpactLaw &law = *(untouched.reduced.impact_law = scene.reduced.impact_law);
+  untouched.reduced.impact_law = scene.reduced.impact_law;
+  const laws::ImpactLaw &law = *scene.reduced.impact_law;
   const auto own = element_of(scene, law, reduced_section), defaults = element_of(untouched, law, reduced_section);
   return std::equal(own.begin(), own.end(), defaults.begin(), defaults.end(),
                     [](const KeyEntry &a, const KeyEntry &b) { return a.path() == b.path() && a.value == b.value; });

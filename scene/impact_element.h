@@ -11,6 +11,8 @@ namespace rimpact::scene {
 /// The tables of a scene file that have one: of the rims, and of a triple pendulum's inner rims where these have
 /// theirs.
 inline const std::string reduced_section = "reduced", inner_rims_section = "isolator.inner.rims";
+/// Key by which these have theirs.
+inline const std::string own_rims_key = "isolator.inner.own_rims";
 
 struct ImpactElement : laws::LawNumbers {
   const laws::ImpactLaw *impact_law = &laws::default_law(); ///< its numbers are those of LawNumbers

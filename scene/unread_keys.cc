@@ -151,7 +151,7 @@ std::string choices_in_words(const std::vector<std::string> &unread, const std::
   std::set<std::string> others;
   for (const auto &path : unread)
     if (!part_of(path)->always_named) others.insert(choice_of(path));
-  if (others.count("isolator.inner.own_rims") > 0) others.insert("isolator.inner.rims.impact_law");
+  if (others.count(own_rims_key) > 0) others.insert(inner_rims_section + ".impact_law");
   std::string text;
   const auto name = [&](const std::string &choice) {
     text += fmt::format("{}{} {}{}", text.empty() ? "" : ", ", choice, text.empty() ? "is " : "", values.at(choice));

@@ -14,7 +14,7 @@ std::string not_of_geometry(const std::string &key) {
   if (is_in(key, "excitation.kind")) return "every run is an isolated impact (impact-window)";
   if (is_in(key, "excitation.speed_m_per_s") || is_in(key, "excitation.scale"))
     return "the speed is one of its ranges: --range speed=LOW:HIGH";
-  if (is_in(key, "isolator.inner.rims")) return "it presses a slider on dishes";
+  if (is_in(key, scene::inner_rims_section)) return "it presses a slider on dishes";
   if (is_in(key, "reduced.calibration") || is_of_a_fit(key)) return "each impact gets a k_i and e of its own";
   if (is_in(key, "bounds")) return bounds_are_reduced;
   return key == "name" ? "its runs are numbered" : "";

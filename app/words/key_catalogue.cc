@@ -71,16 +71,15 @@ void find_conditions(const KeyDescriber &describer, std::vector<KeyDescription> 
 /// law.
 void take_conditions_of_reduced(std::vector<KeyDescription> &keys) {
   const std::string inner = scene::inner_rims_section + ".", reduced = scene::reduced_section + ".";
-  const std::string own = "isolator.inner.own_rims";
   for (auto &key : keys) {
-    if (key.path == own) key.condition = "reduced.model = tfp";
+    if (key.path == scene::own_rims_key) key.condition = "reduced.model = tfp";
     if (!key.path.starts_with(inner)) continue;
     const std::string name = key.path.substr(inner.size());
     const auto like =
         std::find_if(keys.begin(), keys.end(), [&](const auto &other) { return other.path == reduced + name; });
     std::string condition = like == keys.end() ? "" : like->condition;
     if (const auto at = condition.find(reduced); at != std::string::npos) condition.replace(at, reduced.size(), inner);
-    key.condition = name == "calibration" ? "reduced.model = tfp" : own + " = true";
+    key.condition = name == "calibration" ? "reduced.model = tfp" : scene::own_rims_key + " = true";
     if (!condition.empty()) key.condition += "; " + condition;
   }
 }

@@ -31,7 +31,6 @@ std::string FootLimit::sentence() const {
 FootLimit foot_limit(const scene::Scene &scene) {
   const std::string joint = joint_at_foot(scene);
   if (joint.empty() || scene.reduced.k_i == 0) return {};
-  if (scene.rigid_bodies()) return foot_limit(scene.reduced);
   const Known known = known_of(scene);
   FootLimit limit{.joint = joint};
   if (known.force && known.joint == joint) limit.force = *known.force;

@@ -53,7 +53,8 @@ Parts double_concave_parts(const scene::Scene &scene, bool slow) {
     parts.sliders = {{b.slider_mass, D, H}};
     parts.joints = {dish(scene, true, slow), dish(scene, false, slow)};
   }
-  for (auto &joint : parts.joints) joint.rim_mass = mass_before_rim(b, scene.load.mass);
+  const double rim_mass = mass_before_rim(b, scene.load.mass);
+  for (auto &joint : parts.joints) joint.rim_mass = rim_mass;
   return parts;
 }
 

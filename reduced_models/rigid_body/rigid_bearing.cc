@@ -41,7 +41,7 @@ RigidBearing::RigidBearing(const scene::Scene &scene)
     if (element.k_i > 0) system.rim[j] = element.element(joint.rim_mass);
     if (driven) system.rim[j].damping = 0;
     const FootLimit limit = foot_limit(element);
-    foot_[j] = {limit, limit.sentence()};
+    foot_[j] = {limit, limit.is_known() ? limit.sentence() : ""};
   }
   system.park_wen = r.friction == scene::Friction::park_wen && !driven;
   if (system.park_wen) system.elastic_slip = r.elastic_slip;

@@ -1,18 +1,12 @@
-"""python3 -m report.thesis.refitted DIR CALIBRATION: takes the numbers of DIR (rimpact thesis all --calibration CALIBRATION -o DIR) into
-data/thesis/refitted.json and writes docs/thesis.md anew. For the source tree only."""
-import glob
-import json
+"""What chapters 3 and 4 become where the bearings of two dishes have rims that finite elements found (data/thesis/refitted.json)."""
 import os
 from statistics import median
 from typing import Any, NamedTuple
 
 from ..data_files import read_any_json
-from ..errors import run_main
-from ..files import write_whole
 from ..numbers import sig
 from .catalogue import FOLDER, Catalogue, Entry, Number
-from .catalogue import load as load_catalogue
-from .results import REFITTED, Ours
+from .results import Ours
 from .words import printed
 
 KEPT = os.path.join(FOLDER, "thesis", "refitted.json")
@@ -69,28 +63,3 @@ def document(catalogue: Catalogue, assumed: Ours) -> list[str]:
         thesis = f"{printed(row.number)} {row.number.unit}".strip()
         lines.append(f"| {row.entry.id} | {row.number.what} | {thesis} | {sig(row.assumed, 3)} | {sig(row.found, 3)} | {change} |")
     return [*lines, ""]
-
-
-def _law(folder: str) -> str:
-    """In words: the bearing, the law and one rim's stiffness."""
-    answer = read_any_json(os.path.join(folder, "calibration.json"))["answer"]
-    law, rims = answer["law"], answer.get("rims_in_series", 1)
-    k_i = rims * law["element"]["k_i"]["value"]
-    return (f"of `{answer['bearing']}`, law {law['name']}, {k_i:,.0f} kN/m of one rim at first touch, "
-            f"fitted from {law['fitted_from_m_s']:.3g} to {law['fitted_to_m_s']:.3g} m/s")
-
-
-def main(arguments: list[str]) -> None:
-    from . import document as page
-    folder, calibration = arguments
-    made = read_any_json(os.path.join(folder, REFITTED))
-    names = {entry.id: {number.what for number in entry.numbers} for entry in load_catalogue().entries}
-    kept = {entry: {what: value for what, value in numbers.items() if what in names[entry]} for entry, numbers in made.items() if entry in names}
-    beyond = [read_any_json(path).get("beyond_fit") for path in sorted(glob.glob(os.path.join(folder, "runs", "*", "summary.json")))]
-    text = json.dumps({"law": _law(calibration), "runs": len(beyond), "beyond_fit": sum(map(bool, beyond)), "numbers": kept}, indent=1, sort_keys=True) + "\n"
-    write_whole(KEPT, lambda file: file.write(text.encode()))
-    page.main([os.path.join(os.path.dirname(FOLDER), "docs", "thesis.md")])
-
-
-if __name__ == "__main__":
-    run_main(main)

@@ -24,7 +24,7 @@ class Runs:
         self.catalogue, self.program, self.folder, self.records = catalogue, program, folder, records
         self.cheap, self.quiet, self.jobs = cheap, quiet, jobs or cores_to_use()
         self.calibration = os.path.abspath(calibration) if calibration else ""
-        self._law = _digest(os.path.join(self.calibration, "calibration.json")) if calibration else ""
+        self._law = hashlib.sha256(json.dumps(read_any_json(os.path.join(calibration, "calibration.json"))).encode()).hexdigest() if calibration else ""
         self.missing: dict[str, str] = {}  #: name: the sentence why it is not there
         self._read: dict[str, Run] = {}
 
@@ -37,7 +37,7 @@ class Runs:
         words = []
         for word in self.catalogue.runs[name].command:
             words += _law() if word == "{law}" else [word.replace("{records}", os.path.abspath(self.records))]
-        if self.calibration and self.catalogue.runs[name].has_two_dishes:
+        if self._takes_law(name):
             return [*_without_element(words), "--calibration", self.calibration]
         return words
 
@@ -73,8 +73,10 @@ class Runs:
 
     def _identity(self, name: str) -> list[str]:
         """Its command, and what the calibration's file holds: a folder may be made anew."""
-        words = self.words(name)
-        return [*words, self._law] if self.calibration and words[-1] == self.calibration else words
+        return [*self.words(name), self._law] if self._takes_law(name) else self.words(name)
+
+    def _takes_law(self, name: str) -> bool:
+        return bool(self.calibration) and self.catalogue.runs[name].has_two_dishes
 
     def _whole(self, name: str) -> list[str]:
         end = ["--json"] if self.catalogue.runs[name].json else ["-o", self.place(name), "--force", "--quiet"]
@@ -109,14 +111,6 @@ class Runs:
         place = self.place(name)
         kind = "output.json" if self.catalogue.runs[name].json else "summary.json"
         return read_any_json(place if place.endswith(".json") else os.path.join(place, kind))
-
-
-def _digest(path: str) -> str:
-    try:
-        with open(path, "rb") as file:
-            return hashlib.sha256(file.read()).hexdigest()
-    except OSError as error:
-        raise DataError(f"cannot read {path}: {error.strerror}") from None
 
 
 def _without_element(words: list[str]) -> list[str]:
