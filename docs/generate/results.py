@@ -107,8 +107,7 @@ REMARKS = {
             "Errors are of the later build against the earlier one. `runs.py RIMPACT --list` names all rows, up to a bidirectional pulse and Sylmar; `time ./run main` is the main "
             "job, and the push against CalculiX stands among [the peers](refinement.md).\n\n"
             "The third table was taken alone on a machine, with the ranks and the runs at a time that the program chooses. Asked were 90 s of `main`, 10 s of `calibrate`, 8 s of "
-            "`report` (8.0 s now that its figures are painted side by side), "
-            "15 s of the window, 120 and 240 s of the pulses by rigid-dish and full, 360 s of the one in two directions.\n\n"
+            "`report`, 15 s of the window, 120 and 240 s of the pulses by rigid-dish and full, 360 s of the one in two directions.\n\n"
             "The fourth table has the least time that the iterations, factors and solutions of a run leave at this machine's best rates, beside what was once asked of two cores. "
             "A bidirectional pulse cannot be had in 360 s with these counts; pulses by rigid-dish and full were asked for within 1.4 times their bound, a window within 1.7 times. "
             "`waits.py RIMPACT` times what a user waits for.",

@@ -68,6 +68,10 @@ std::optional<PointCoupling> ContactSearch::couple(std::size_t k, const Eigen::V
 
 Vector3d ContactSearch::relative_position(std::size_t k, const Eigen::VectorXd &u, int opposite) const {
   if (const auto coupling = couple(k, u, opposite, reach_past_edges)) return coupling->y;
+  return position_by_motion(k, u, opposite);
+}
+
+Vector3d ContactSearch::position_by_motion(std::size_t k, const Eigen::VectorXd &u, int opposite) const {
   return carrier_->rigid_pull_back(position(points_[k], u), u, opposite);
 }
 

@@ -68,6 +68,7 @@ public:
   std::optional<PointCoupling> couple(std::size_t k, const Eigen::VectorXd &u, int guess, double beyond) const;
   /// Relative position by the present opposite, else as that face, or the first, moves and turns [m].
   Eigen::Vector3d relative_position(std::size_t k, const Eigen::VectorXd &u, int opposite) const;
+  Eigen::Vector3d position_by_motion(std::size_t k, const Eigen::VectorXd &u, int opposite) const; ///< the latter
   /// Whether a point for which no face is found may be on the master's surface, judged by the face last opposite.
   bool is_candidate(std::size_t k, const Eigen::VectorXd &u, int opposite) const;
   /// Equations coupled by each slave face and what is opposite or near it at dof displacements u; the pairs are

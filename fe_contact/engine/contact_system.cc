@@ -28,16 +28,15 @@ void ContactSystem::add_mass(int dof, double mass) {
 
 void ContactSystem::make_pattern(const Eigen::VectorXd &displacements, const std::vector<SurfaceContactState> &states) {
   const Stopwatch watch(time_split["search"]);
-  std::vector<std::vector<int>> pairs;
+  Couplings beside = ties_.couplings();
+  beside.push_back(remote_);
   for (std::size_t i = 0; i < contacts_.size(); ++i)
-    for (auto &clique : contacts_[i].couplings(equations_, displacements, states[i].opposite))
-      pairs.push_back(std::move(clique));
-  if (tangent_ && tangent_->symmetry() == symmetry() && pairs == pairs_) return tangent_->solver().forget();
-  pairs_ = std::move(pairs);
-  auto couplings = solid_.couplings(equations_);
-  for (auto &clique : ties_.couplings()) couplings.push_back(std::move(clique));
-  couplings.insert(couplings.end(), pairs_.begin(), pairs_.end());
-  tangent_ = std::make_unique<Tangent>(equations_.n, couplings, symmetry(), time_split);
+    for (auto &coupling : contacts_[i].couplings(equations_, displacements, states[i].opposite))
+      beside.push_back(std::move(coupling));
+  if (tangent_ && tangent_->symmetry() == symmetry() && beside == beside_solids_) return tangent_->solver().forget();
+  beside_solids_ = std::move(beside);
+  tangent_ =
+      std::make_unique<Tangent>(equations_.n, solid_.own_couplings(equations_), beside_solids_, symmetry(), time_split);
   if (!mass_) mass_.emplace(solid_, equations_, body_masses_);
   mass_->find_places(tangent_->symmetric());
 }
@@ -64,8 +63,10 @@ void ContactSystem::prepare(const SystemState &old, const StepTerms &terms) {
   old_ = &old;
   terms_ = &terms;
   answers_.begin();
-  if (tangent_->symmetry() != symmetry())
-    make_pattern(equations_.expand(old.u), old.contacts); // friction was set or taken away
+  const bool knows_remote = !terms.remote || std::ranges::equal(remote_, terms.remote->face.equation);
+  if (!knows_remote) remote_.assign(std::begin(terms.remote->face.equation), std::end(terms.remote->face.equation));
+  // Friction was set or taken away, or there is another remote displacement.
+  if (tangent_->symmetry() != symmetry() || !knows_remote) make_pattern(equations_.expand(old.u), old.contacts);
   trial_.contacts = old.contacts;
   for (auto &contact : trial_.contacts)
     if (terms.expected > 0) contact.expect(terms.expected);
@@ -86,7 +87,7 @@ bool ContactSystem::evaluate_on_the_pattern(const Eigen::VectorXd &u, bool with_
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(equations_.n);
   if (with_tangent && exactly) solid_.forget_tangents();
   SymmetricMatrix *solid_tangent = with_tangent ? &tangent_->symmetric() : nullptr;
-  if (solid_tangent) start_tangent(*solid_tangent);
+  if (with_tangent) start_tangent();
   trial_.energies = {};
   {
     const Stopwatch watch(time_split["assembly"]);
@@ -94,9 +95,9 @@ bool ContactSystem::evaluate_on_the_pattern(const Eigen::VectorXd &u, bool with_
                          trial_.energies, terms_->dt, &answers_))
       return false;
   }
+  if (with_tangent) solid_diagonal_ = tangent_->symmetric().diagonal();
   const Stopwatch watch(time_split["search"]);
   const double spent = forces.cwiseAbs().norm();
-  if (with_tangent) tangent_->close_symmetric();
   if (!ranks().first()) forces.setZero(); // until they are summed up with the contacts'
   if (ranks().first()) ties_.add_forces(u, forces);
   trial_.energies.elastic += ties_.energy(u);
@@ -114,7 +115,7 @@ bool ContactSystem::evaluate_on_the_pattern(const Eigen::VectorXd &u, bool with_
     residual_ += springs;
     stabilisation_share_ = springs.norm() / scale_;
     for (int i = 0; with_tangent && ranks().first() && i < equations_.n; ++i)
-      tangent_->add(i, i, terms_->stabilisation);
+      tangent_->symmetric().add(i, i, terms_->stabilisation);
   }
   if (!terms_->driven.empty()) drive(u, with_tangent);
   return residual_.allFinite();
@@ -131,9 +132,9 @@ bool ContactSystem::eliminate(Eigen::VectorXd &u) {
 }
 
 /// Of the tangent every rank has the share of its cells and faces, and the first one what belongs to none.
-void ContactSystem::start_tangent(SymmetricMatrix &tangent) const {
-  tangent.set_zero();
-  if (terms_->inertia) mass_->put(terms_->inertia->mass_factor(), tangent);
+void ContactSystem::start_tangent() const {
+  tangent_->set_zero();
+  if (terms_->inertia) mass_->put(terms_->inertia->mass_factor(), tangent_->symmetric());
 }
 
 /// Coordinates are known to rounding, forces therefore to rounding times stiffness times size.
@@ -226,9 +227,8 @@ void ContactSystem::augment() {
 
 bool ContactSystem::stiffen(double factor) {
   const double inertial = terms_->inertia ? terms_->inertia->mass_factor() : 0.0;
-  Eigen::VectorXd stiffness(equations_.n);
-  for (int i = 0; i < equations_.n; ++i)
-    stiffness[i] = tangent_->symmetric().diagonal(i) - inertial * mass_->own_diagonal(i);
+  Eigen::VectorXd stiffness = solid_diagonal_;
+  for (int i = 0; i < equations_.n; ++i) stiffness[i] -= inertial * mass_->own_diagonal(i);
   bool any = false;
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
     auto &stiffening = trial_.contacts[i].stiffening;
@@ -245,15 +245,17 @@ void ContactSystem::commit(const Eigen::VectorXd &u, SystemState &state, const R
   const Eigen::VectorXd displacements = equations_.expand(u);
   state.reports = trial_.reports;
   for (std::size_t i = 0; i < contacts_.size() && terms_->with_contact; ++i) {
-    contacts_[i].add_work(state.contacts[i], trial_.contacts[i], displacements, state.reports[i]);
+    const auto places = contacts_[i].places(displacements, trial_.contacts[i]);
+    contacts_[i].add_work(state.contacts[i], trial_.contacts[i], places, state.reports[i]);
     const std::vector<double> pressure = state.contacts[i].pressure;
     state.contacts[i] = trial_.contacts[i];
-    contacts_[i].commit(displacements, state.contacts[i], renewal);
+    contacts_[i].commit(displacements, places, state.contacts[i], renewal);
     state.contacts[i].note_change(pressure);
   }
   state.u = u;
   state.R = trial_.R;
   state.history = trial_.history;
+  solid_.all_gather(state.history, equations_);
   state.energies = trial_.energies;
 }
 

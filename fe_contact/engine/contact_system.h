@@ -89,6 +89,7 @@ public:
   /// To be called where a checkpoint is written and where it is read: both runs then go on alike, bit for bit.
   void start_afresh_at(const SystemState &state) {
     solid_.forget_tangents();
+    remote_.clear();
     make_pattern(equations_.expand(state.u), state.contacts);
   }
   /// Sets what the next Newton solution is of; `old` and `terms` must outlive it.
@@ -108,7 +109,7 @@ public:
   /// Multiplies the trial's penalties, but never beyond the solid's own stiffness at the contact, without its inertia
   /// (stiffer ones over-constrain the faces, and stay when the steps are long again); false when none could be.
   bool stiffen(double factor);
-  /// The trial, evaluated at u, becomes the state.
+  /// The trial, evaluated at u, becomes the state. All ranks call it together.
   void commit(const Eigen::VectorXd &u, SystemState &state, const Renewal &renewal) const;
 
   Eigen::VectorXd expand(const SystemState &state) const { return equations_.expand(state.u); }
@@ -140,7 +141,7 @@ private:
   void make_pattern(const Eigen::VectorXd &displacements, const std::vector<SurfaceContactState> &states);
   bool evaluate_on_the_pattern(const Eigen::VectorXd &u, bool with_tangent, bool &pattern_holds);
   bool assemble_contacts(const Eigen::VectorXd &displacements, Eigen::VectorXd &forces, Tangent *tangent);
-  void start_tangent(SymmetricMatrix &tangent) const;
+  void start_tangent() const;
   void take_diagonal();
   void add_inertia(const Eigen::VectorXd &u);
   void add_remote(const Eigen::VectorXd &u, bool with_tangent);
@@ -163,11 +164,13 @@ private:
   CellAnswers answers_; ///< of the trial
   std::vector<Augmentation> augmentations_;
   Eigen::VectorXd residual_, diagonal_; ///< diagonal: of the last tangent, before what is driven and stabilised
+  Eigen::VectorXd solid_diagonal_;      ///< of this rank's cells alone, with their masses
   double rounding_ = 0;                 ///< of the forces [N]
   BorderingConstraint border_;
   bool has_border_ = false;
   double scale_ = 0, stabilisation_share_ = 0, size_ = 0;
-  std::vector<std::vector<int>> pairs_; ///< couplings of the contacts in the pattern at hand
+  Couplings beside_solids_; ///< of the pattern at hand: ties, contacts, a remote displacement
+  std::vector<int> remote_; ///< equations of the remote displacement; empty: none yet
 };
 
 } // namespace rimpact::fe

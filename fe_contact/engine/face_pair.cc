@@ -44,15 +44,17 @@ void FacePair::add_to(const Equations &equations, Eigen::VectorXd &all_forces, T
   for (int b = 0; b < 3 * n; ++b)
     if (equation[b] >= 0) order.push_back(b);
   std::sort(order.begin(), order.end(), [&](int b, int c) { return equation[b] < equation[c]; });
-  std::vector<int> columns;
-  for (const int b : order) columns.push_back(equation[b]);
-  std::vector<double> row(order.size());
+  std::vector<int> sorted;
   for (const int a : order) {
+    sorted.push_back(equation[a]);
     all_forces[equation[a]] += weight[a] * forces[a];
-    if (!tangent) continue;
-    for (std::size_t i = 0; i < order.size(); ++i) row[i] = weight[a] * weight[order[i]] * stiffness(a, order[i]);
-    tangent->add_row(equation[a], columns, row.data());
   }
+  if (!tangent) return;
+  Eigen::MatrixXd block(order.size(), order.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+    for (std::size_t j = 0; j < order.size(); ++j)
+      block(i, j) = weight[order[i]] * weight[order[j]] * stiffness(order[i], order[j]);
+  tangent->add_block(sorted, block);
 }
 
 } // namespace rimpact::fe

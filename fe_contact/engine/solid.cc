@@ -4,6 +4,7 @@
 #include "fe_contact/engine/threads.h"
 #include "fe_contact/solver/ranks.h"
 #include <algorithm>
+#include <stdexcept>
 
 namespace rimpact::fe {
 namespace {
@@ -35,13 +36,30 @@ Solid::Solid(const Discretisation &space, const std::map<meshes::Volume, scene::
                                    CrackMeasure(material.fracture), material.density});
 }
 
-std::vector<std::vector<int>> Solid::couplings(const Equations &equations) const {
-  std::vector<std::vector<int>> result(space_.n_cells);
-  for (std::size_t c = 0; c < space_.n_cells; ++c)
-    for (int a = 0; a < space_.nodes_per_cell; ++a)
-      for (int i = 0; i < 3; ++i)
-        result[c].push_back(equations.of_dof[3 * space_.cell_nodes[c * space_.nodes_per_cell + a] + i]);
+std::vector<int> Solid::equations_of(std::size_t cell, const Equations &equations) const {
+  std::vector<int> result;
+  for (int a = 0; a < space_.nodes_per_cell; ++a)
+    for (int i = 0; i < 3; ++i)
+      result.push_back(equations.of_dof[3 * space_.cell_nodes[cell * space_.nodes_per_cell + a] + i]);
   return result;
+}
+
+Couplings Solid::couplings(const Equations &equations) const {
+  Couplings result;
+  for (std::size_t c = 0; c < space_.n_cells; ++c) result.push_back(equations_of(c, equations));
+  return result;
+}
+
+Couplings Solid::own_couplings(const Equations &equations) const {
+  Couplings result;
+  for (const unsigned c : own_cells(equations)) result.push_back(equations_of(c, equations));
+  return result;
+}
+
+std::vector<unsigned> Solid::own_cells(const Equations &equations) const {
+  const std::vector<unsigned> cells = moving_cells(equations);
+  const std::vector<std::size_t> offsets = ranks().offsets(cells.size());
+  return {cells.begin() + offsets[ranks().own], cells.begin() + offsets[ranks().own + 1]};
 }
 
 std::vector<unsigned> Solid::moving_cells(const Equations &equations) const {
@@ -58,15 +76,22 @@ std::vector<unsigned> Solid::moving_cells(const Equations &equations) const {
 
 const std::vector<int> &Solid::places_in(const SymmetricMatrix &matrix, const Equations &equations) const {
   if (places_of_ == matrix.pattern_id()) return places_;
-  places_.clear();
-  const int m = 3 * space_.nodes_per_cell;
-  places_.reserve(space_.n_cells * m * (m + 1) / 2);
-  for (const auto &clique : couplings(equations))
-    for (int i = 0; i < m; ++i)
-      for (int j = i; j < m; ++j)
-        places_.push_back(clique[i] < 0 || clique[j] < 0
-                              ? -1
-                              : matrix.find(std::min(clique[i], clique[j]), std::max(clique[i], clique[j])));
+  const std::size_t m = 3 * space_.nodes_per_cell, pairs = m * (m + 1) / 2;
+  places_.assign(space_.n_cells * pairs, -1); // of what is held, and of other ranks' cells
+  plain_.assign(space_.n_cells, 0);
+  for (const unsigned c : own_cells(equations)) {
+    std::vector<int> own = equations_of(c, equations);
+    std::size_t place = c * pairs;
+    for (std::size_t i = 0; i < m; ++i)
+      for (std::size_t j = i; j < m; ++j, ++place)
+        if (own[i] >= 0 && own[j] >= 0) {
+          places_[place] = matrix.find(std::min(own[i], own[j]), std::max(own[i], own[j]));
+          if (places_[place] < 0) throw std::logic_error("a cell's entry outside the sparsity pattern");
+        }
+    std::sort(own.begin(), own.end());
+    plain_[c] = own.front() >= 0 && std::adjacent_find(own.begin(), own.end()) == own.end();
+    for (std::size_t dof = 0; dof < m; ++dof) plain_[c] = plain_[c] && weight_of(c, dof, equations) == 1;
+  }
   places_of_ = matrix.pattern_id();
   return places_;
 }
@@ -224,6 +249,10 @@ bool Solid::assemble_cells(const unsigned *begin, const unsigned *end, const Eig
     if (!tangent) continue;
     const double *value = kept_.block(c);
     const int *place = places->data() + c * (m * (m + 1) / 2);
+    if (plain_[c]) {
+      for (int k = 0; k < m * (m + 1) / 2; ++k) tangent[place[k]] += value[k];
+      continue;
+    }
     for (int row = 0; row < m; ++row)
       for (int column = row; column < m; ++column, ++place, ++value) {
         if (*place < 0) continue;
@@ -243,14 +272,12 @@ bool Solid::assemble(const Eigen::VectorXd &u, const SolidHistory &old, SolidHis
   CellAnswers none;
   CellAnswers &known = answers ? *answers : none;
   if (known.take_fresh(space_.n_cells)) next = old; // cells that do not move keep theirs
-  const std::vector<unsigned> cells = moving_cells(equations);
-  const std::vector<std::size_t> offsets = ranks().offsets(cells.size());
-  const unsigned *own_cells = cells.data() + offsets[ranks().own];
+  const std::vector<unsigned> own = own_cells(equations);
   std::vector<Eigen::VectorXd> part_forces(workers, Eigen::VectorXd::Zero(equations.n));
   part_values_.resize(workers);
   std::vector<SolidEnergies> part_energies(workers);
   std::vector<char> admissible(workers, 1);
-  share(offsets[ranks().own + 1] - offsets[ranks().own], workers, [&](std::size_t begin, std::size_t end, int w) {
+  share(own.size(), workers, [&](std::size_t begin, std::size_t end, int w) {
     double *values = nullptr;
     if (tangent && w == 0) values = tangent->values().data();
     if (tangent && w > 0) {
@@ -258,7 +285,7 @@ bool Solid::assemble(const Eigen::VectorXd &u, const SolidHistory &old, SolidHis
       values = part_values_[w].data();
     }
     const auto run = space_.degree == 2 ? &Solid::assemble_cells<27> : &Solid::assemble_cells<8>;
-    admissible[w] = (this->*run)(own_cells + begin, own_cells + end, u, old, next, dt, equations, part_forces[w],
+    admissible[w] = (this->*run)(own.data() + begin, own.data() + end, u, old, next, dt, equations, part_forces[w],
                                  places, values, part_energies[w], known);
   });
   if (ranks().any(std::find(admissible.begin(), admissible.end(), 0) != admissible.end())) return false;
@@ -277,41 +304,38 @@ bool Solid::assemble(const Eigen::VectorXd &u, const SolidHistory &old, SolidHis
   energies.elastic += summed[equations.n];
   energies.plastic += summed[equations.n + 1];
   energies.damping += summed[equations.n + 2];
-  all_gather(next, cells, offsets);
   return true;
 }
 
-/// The history of each rank's cells, and of those at rest between them, goes to all the others.
-void Solid::all_gather(SolidHistory &history, const std::vector<unsigned> &cells,
-                       const std::vector<std::size_t> &offsets) const {
-  std::vector<std::size_t> points{0};
+void Solid::all_gather(SolidHistory &history, const Equations &equations) const {
+  if (ranks().size == 1) return;
+  const std::vector<unsigned> cells = moving_cells(equations);
+  const std::vector<std::size_t> offsets = ranks().offsets(cells.size());
+  std::vector<std::size_t> points{0}; // of each rank's cells, and of those at rest between them
   for (int r = 1; r < ranks().size; ++r)
     points.push_back((offsets[r] < cells.size() ? cells[offsets[r]] : space_.n_cells) * space_.full.n_points);
   points.push_back(history.size());
   ranks().all_gather(history, points);
 }
 
-std::vector<std::vector<int>> Solid::mass_couplings(const Equations &equations) const {
-  const int n = space_.nodes_per_cell;
-  std::vector<std::vector<int>> result(3 * space_.n_cells);
-  for (std::size_t c = 0; c < space_.n_cells; ++c)
-    for (int k = 0; k < 3 * n; ++k)
-      result[3 * c + k % 3].push_back(equations.of_dof[3 * space_.cell_nodes[c * n + k / 3] + k % 3]);
-  return result;
+SymmetricMatrix Solid::mass(const Equations &equations) const {
+  return mass(moving_cells(equations), equations);
 }
 
-void Solid::add_mass(const Equations &equations, SymmetricMatrix &mass) const {
-  add_mass(moving_cells(equations), equations, mass);
+SymmetricMatrix Solid::own_mass(const Equations &equations) const {
+  return mass(own_cells(equations), equations);
 }
 
-void Solid::add_own_mass(const Equations &equations, SymmetricMatrix &mass) const {
-  const std::vector<unsigned> cells = moving_cells(equations);
-  const std::vector<std::size_t> offsets = ranks().offsets(cells.size());
-  add_mass({cells.begin() + offsets[ranks().own], cells.begin() + offsets[ranks().own + 1]}, equations, mass);
-}
-
-void Solid::add_mass(std::span<const unsigned> cells, const Equations &equations, SymmetricMatrix &mass) const {
+SymmetricMatrix Solid::mass(std::span<const unsigned> cells, const Equations &equations) const {
   const int n = space_.nodes_per_cell, n_points = space_.full.n_points;
+  const auto dof = [&](std::size_t c, int a, int i) { return 3 * space_.cell_nodes[c * n + a] + i; };
+  Couplings couplings; // one a cell and direction
+  for (const std::size_t c : cells)
+    for (int i = 0; i < 3; ++i) {
+      couplings.emplace_back();
+      for (int a = 0; a < n; ++a) couplings.back().push_back(equations.of_dof[dof(c, a, i)]);
+    }
+  SymmetricMatrix result(equations.n, couplings);
   for (const std::size_t c : cells) {
     const double density = law_of(c).density;
     for (int a = 0; a < n; ++a)
@@ -321,14 +345,15 @@ void Solid::add_mass(std::span<const unsigned> cells, const Equations &equations
           value += density * space_.full.weights[c * n_points + q] * space_.full_values[q * n + a] *
                    space_.full_values[q * n + b];
         for (int i = 0; i < 3; ++i) {
-          const unsigned row = 3 * space_.cell_nodes[c * n + a] + i, column = 3 * space_.cell_nodes[c * n + b] + i;
+          const unsigned row = dof(c, a, i), column = dof(c, b, i);
           const int eq_row = equations.of_dof[row], eq_column = equations.of_dof[column];
           if (eq_row < 0 || eq_column < 0) continue;
           const double twice = a != b && eq_row == eq_column ? 2.0 : 1.0;
-          mass.add(eq_row, eq_column, twice * equations.weight[row] * equations.weight[column] * value);
+          result.add(eq_row, eq_column, twice * equations.weight[row] * equations.weight[column] * value);
         }
       }
   }
+  return result;
 }
 
 double Solid::mass_of(meshes::Volume volume) const {

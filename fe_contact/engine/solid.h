@@ -51,17 +51,21 @@ public:
 
   SolidHistory initial_history() const { return SolidHistory(space_.n_cells * space_.full.n_points); }
   /// Coupled sets of equations, one a cell.
-  std::vector<std::vector<int>> couplings(const Equations &equations) const;
+  Couplings couplings(const Equations &equations) const;
+  /// Of the cells whose tangent is this rank's.
+  Couplings own_couplings(const Equations &equations) const;
 
   /// Adds internal forces at dof displacements u to `forces` (equations) and, when given, the tangent. dt: from old to
   /// next [s]; 0: infinitely slow.
   /// False when a point is inadmissible (inverted): the step must be cut. A cell whose dofs are all held has no
-  /// part in it: its history is kept, its energy not counted. With several ranks the tangent is that of this
-  /// rank's cells alone; all else is whole. `answers`: of the same step, its `old`, its `dt` and its `next`, which then
-  /// has to be as it was left.
+  /// part in it: its history is kept, its energy not counted. With several ranks the tangent and the history are those
+  /// of this rank's cells alone; all else is whole. `answers`: of the same step, its `old`, its `dt` and its `next`,
+  /// which then has to be as it was left.
   bool assemble(const Eigen::VectorXd &u, const SolidHistory &old, SolidHistory &next, const Equations &equations,
                 Eigen::VectorXd &forces, SymmetricMatrix *tangent, SolidEnergies &energies, double dt = 0,
                 CellAnswers *answers = nullptr) const;
+  /// The history of each rank's cells goes to all the others: once a step, where the trial becomes the state.
+  void all_gather(SolidHistory &history, const Equations &equations) const;
   /// Of one cell by itself at dof displacements u; writes its points of `next`. False: a point is inadmissible.
   bool assemble_cell(std::size_t cell, const Eigen::VectorXd &u, const SolidHistory &old, SolidHistory &next, double dt,
                      CellResponse &response) const;
@@ -69,11 +73,9 @@ public:
   double weight_of(std::size_t cell, std::size_t dof, const Equations &equations) const {
     return equations.weight[3 * space_.cell_nodes[cell * space_.nodes_per_cell + dof / 3] + dof % 3];
   }
-  /// Sets of equations that masses couple, one a cell and direction.
-  std::vector<std::vector<int>> mass_couplings(const Equations &equations) const;
   /// Of all cells, or of those whose tangent is this rank's.
-  void add_mass(const Equations &equations, SymmetricMatrix &mass) const;
-  void add_own_mass(const Equations &equations, SymmetricMatrix &mass) const;
+  SymmetricMatrix mass(const Equations &equations) const;
+  SymmetricMatrix own_mass(const Equations &equations) const;
   /// Mass of one volume [kg].
   double mass_of(meshes::Volume volume) const;
   /// Makes every cell's tangent anew at the next assembly.
@@ -112,10 +114,10 @@ private:
   template <int n>
   const CellAnswers::Cell *recall_or_make(std::size_t cell, const SolidHistory &old, SolidHistory &next, double dt,
                                           CellKernel<n> &kernel, bool with_tangent, CellAnswers &answers) const;
-  void all_gather(SolidHistory &history, const std::vector<unsigned> &cells,
-                  const std::vector<std::size_t> &offsets) const;
-  std::vector<unsigned> moving_cells(const Equations &equations) const; ///< with a dof that is not held
-  void add_mass(std::span<const unsigned> cells, const Equations &equations, SymmetricMatrix &mass) const;
+  std::vector<int> equations_of(std::size_t cell, const Equations &equations) const; ///< by its dofs, -1: held
+  std::vector<unsigned> moving_cells(const Equations &equations) const;              ///< with a dof that is not held
+  std::vector<unsigned> own_cells(const Equations &equations) const;                 ///< this rank's share of them
+  SymmetricMatrix mass(std::span<const unsigned> cells, const Equations &equations) const;
   const std::vector<int> &places_in(const SymmetricMatrix &matrix, const Equations &equations) const;
 
   const Discretisation &space_;
@@ -123,7 +125,8 @@ private:
   // Assembly keeps what the next one can use, so that one solid is assembled by one caller at a time.
   /// Where each local pair (i <= j) of each cell goes in the matrix; made once per pattern.
   mutable std::vector<int> places_;
-  mutable long places_of_ = 0; ///< pattern_id
+  mutable std::vector<char> plain_; ///< cells whose dofs are equations each of their own, weight 1
+  mutable long places_of_ = 0;      ///< pattern_id
   mutable KeptTangents kept_;
   mutable std::vector<std::vector<double>>
       part_values_; ///< of the tangent, by thread; kept, for making them anew costs as much as filling them

@@ -14,7 +14,7 @@ using Eigen::Vector3d;
 SurfaceContactState SurfaceContact::open(const Eigen::VectorXd &u) const {
   const std::size_t n = search_.points().size();
   SurfaceContactState state = SurfaceContactState::of(n);
-  update_active(u, state);
+  for (std::size_t k = 0; k < n; ++k) update_active(k, u, state);
   for (std::size_t k = 0; k < n; ++k) state.start.push_back(search_.relative_position(k, u, state.opposite[k]));
   return state;
 }
@@ -133,29 +133,39 @@ void SurfaceContact::all_gather(std::vector<std::size_t> offsets, SurfaceContact
   ranks().all_gather(state.opposite, offsets);
 }
 
-void SurfaceContact::update_active(const Eigen::VectorXd &u, SurfaceContactState &state) const {
-  for (std::size_t k = 0; k < search_.points().size(); ++k) {
-    const auto coupling = search_.couple(k, u, state.opposite[k], 0.0);
-    const bool was_covered = state.covered[k];
-    state.covered[k] = coupling && coupling->inside;
-    state.opposite[k] = coupling ? coupling->carrier_face : -1;
-    double &entry = state.entry[k];
-    if (coupling && coupling->inside) {
-      entry = was_covered ? std::clamp(-state.gap[k], 0.0, entry)
-                          : std::max(0.0, -CarriedDistance::of(search_.master(), *coupling).gap);
-      continue;
-    }
-    entry = state.multiplier[k] = 0;
-    state.tangential[k].setZero();
+void SurfaceContact::update_active(std::size_t k, const Eigen::VectorXd &u, SurfaceContactState &state) const {
+  const auto coupling = search_.couple(k, u, state.opposite[k], 0.0);
+  const bool was_covered = state.covered[k];
+  state.covered[k] = coupling && coupling->inside;
+  state.opposite[k] = coupling ? coupling->carrier_face : -1;
+  double &entry = state.entry[k];
+  if (coupling && coupling->inside) {
+    entry = was_covered ? std::clamp(-state.gap[k], 0.0, entry)
+                        : std::max(0.0, -CarriedDistance::of(search_.master(), *coupling).gap);
+    return;
   }
+  entry = state.multiplier[k] = 0;
+  state.tangential[k].setZero();
+}
+
+std::vector<SurfaceContact::Place> SurfaceContact::places(const Eigen::VectorXd &u,
+                                                          const SurfaceContactState &state) const {
+  std::vector<Place> result;
+  for (std::size_t k = 0; k < search_.points().size(); ++k) {
+    const int opposite = state.opposite[k];
+    const auto coupling = search_.couple(k, u, opposite, ContactSearch::reach_past_edges);
+    result.push_back({coupling ? coupling->y : search_.position_by_motion(k, u, opposite),
+                      coupling && coupling->inside && coupling->carrier_face == opposite});
+  }
+  return result;
 }
 
 void SurfaceContact::add_work(const SurfaceContactState &before, const SurfaceContactState &after,
-                              const Eigen::VectorXd &u, SurfaceContactReport &report) const {
+                              const std::vector<Place> &places, SurfaceContactReport &report) const {
   for (std::size_t k = 0; k < search_.points().size(); ++k) {
     const double area = search_.points()[k].area, p0 = before.pressure[k], p1 = after.pressure[k];
     if (p0 == 0 && p1 == 0) continue;
-    const Vector3d y = search_.relative_position(k, u, after.opposite[k]);
+    const Vector3d &y = places[k].y;
     // What came over an edge or left over it had a force at one end of the step, and that force did work.
     const bool over_an_edge = !std::isfinite(before.gap[k]) || !std::isfinite(after.gap[k]);
     const double g0 = std::isfinite(before.gap[k]) ? before.gap[k] : search_.master().distance(before.start[k]).gap,
@@ -171,7 +181,8 @@ void SurfaceContact::add_work(const SurfaceContactState &before, const SurfaceCo
   }
 }
 
-void SurfaceContact::commit(const Eigen::VectorXd &u, SurfaceContactState &state, const Renewal &renewal) const {
+void SurfaceContact::commit(const Eigen::VectorXd &u, const std::vector<Place> &places, SurfaceContactState &state,
+                            const Renewal &renewal) const {
   const Augmentation next = augmentation(state);
   state.tangential = next.tangential;
   if (renewal.normal == NextMultipliers::none) std::fill(state.multiplier.begin(), state.multiplier.end(), 0.0);
@@ -183,15 +194,18 @@ void SurfaceContact::commit(const Eigen::VectorXd &u, SurfaceContactState &state
         state.multiplier[k] = 0;
   constexpr double entries_given_up = 2; // e-folds over a point's width
   for (std::size_t k = 0; k < search_.points().size(); ++k) {
-    const Vector3d y = search_.relative_position(k, u, state.opposite[k]);
+    const Vector3d &y = places[k].y;
     if (state.entry[k] > 0) {
       const Vector3d way = y - state.start[k], n = search_.master().distance(y).normal;
       state.entry[k] *= std::exp(-entries_given_up * (way - n.dot(way) * n).norm() /
                                  std::sqrt(search_.points()[k].area / search_.pass_share()));
     }
     state.start[k] = y;
+    if (places[k].settled && state.covered[k])
+      state.entry[k] = std::clamp(-state.gap[k], 0.0, state.entry[k]);
+    else
+      update_active(k, u, state);
   }
-  update_active(u, state);
 }
 
 std::vector<SurfaceContact::Sample> SurfaceContact::samples(const Eigen::VectorXd &u,

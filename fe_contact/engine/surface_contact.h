@@ -37,11 +37,18 @@ public:
   Augmentation augmentation(const SurfaceContactState &state) const {
     return fe::augmentation(search_, law_, degree_, state);
   }
-  /// Work of the step from `before` to `after`, both evaluated.
-  void add_work(const SurfaceContactState &before, const SurfaceContactState &after, const Eigen::VectorXd &u,
+  /// Where a point is at a step's end.
+  struct Place {
+    Eigen::Vector3d y; ///< relative to the carrier [m]
+    bool settled;      ///< within the carrier's face that it was last found opposite
+  };
+  std::vector<Place> places(const Eigen::VectorXd &u, const SurfaceContactState &state) const;
+  /// Work of the step from `before` to `after`, both evaluated; places of `after`.
+  void add_work(const SurfaceContactState &before, const SurfaceContactState &after, const std::vector<Place> &places,
                 SurfaceContactReport &report) const;
-  /// Ends a step at u: friction becomes the multiplier, positions the next step's start.
-  void commit(const Eigen::VectorXd &u, SurfaceContactState &state, const Renewal &renewal) const;
+  /// Ends a step at u: friction becomes the multiplier, the state's places the next step's start.
+  void commit(const Eigen::VectorXd &u, const std::vector<Place> &places, SurfaceContactState &state,
+              const Renewal &renewal) const;
 
   const ContactSearch &search() const { return search_; }
   /// One entry a point: where it is and what acts there.
@@ -69,7 +76,7 @@ private:
   /// Of the faces: where each rank's begin, so that all have as much to do. Before the state is written over.
   std::vector<std::size_t> shares_of_ranks(const SurfaceContactState &state) const;
   void all_gather(std::vector<std::size_t> offsets, SurfaceContactState &state) const;
-  void update_active(const Eigen::VectorXd &u, SurfaceContactState &state) const;
+  void update_active(std::size_t k, const Eigen::VectorXd &u, SurfaceContactState &state) const;
 
   CoulombContact law_;
   int degree_; ///< of the shape functions

@@ -1,17 +1,14 @@
 #include "fe_contact/engine/system_mass.h"
 
 #include "fe_contact/solver/ranks.h"
+#include <stdexcept>
 
 namespace rimpact::fe {
 
 SystemMass::SystemMass(const Solid &solid, const Equations &equations,
                        const std::vector<std::pair<int, double>> &bodies)
-    : whole_(equations.n, solid.mass_couplings(equations)) {
-  solid.add_mass(equations, whole_);
-  if (ranks().size > 1) {
-    own_.emplace(equations.n, solid.mass_couplings(equations));
-    solid.add_own_mass(equations, *own_);
-  }
+    : whole_(solid.mass(equations)) {
+  if (ranks().size > 1) own_.emplace(solid.own_mass(equations));
   for (const auto &[dof, mass] : bodies)
     for (int i = 0; i < 3; ++i)
       if (const int equation = equations.of_dof[dof + i]; equation >= 0) {
@@ -25,7 +22,8 @@ void SystemMass::find_places(const SymmetricMatrix &tangent) {
   const auto &offsets = own().offsets(), &columns = own().columns();
   for (std::size_t row = 0; row + 1 < offsets.size(); ++row)
     for (int k = offsets[row]; k < offsets[row + 1]; ++k)
-      places_.push_back(tangent.find(static_cast<int>(row), columns[k]));
+      if (places_.push_back(tangent.find(static_cast<int>(row), columns[k])); places_.back() < 0)
+        throw std::logic_error("a mass outside the tangent's sparsity pattern");
 }
 
 void SystemMass::put(double factor, SymmetricMatrix &tangent) const {

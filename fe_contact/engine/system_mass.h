@@ -15,7 +15,7 @@ public:
   const SymmetricMatrix &whole() const { return whole_; }
   /// Of this rank's share, which the tangents hold: its own cells', and on the first rank the bodies'.
   double own_diagonal(int equation) const { return own().diagonal(equation); }
-  /// Finds the entries of a tangent that masses fall on, which must be among its own.
+  /// Finds the entries of a tangent that masses fall on, which must be among its own. Throws std::logic_error.
   void find_places(const SymmetricMatrix &tangent);
   /// Sets those entries of the tangent that was last looked at to `factor` times this rank's share.
   void put(double factor, SymmetricMatrix &tangent) const;

@@ -1,6 +1,7 @@
 #include "fe_contact/laws/hencky_j2.h"
 #include "fe_contact/laws/kinematic_step.h"
 #include "fe_contact/laws/plastic_flow.h"
+#include "fe_contact/laws/small_logarithm.h"
 
 #include <cmath>
 #include <Eigen/Eigenvalues>
@@ -98,6 +99,23 @@ Matrix6 assemble_tangent(const PrincipalReturn &principal, const Eigen::Vector3d
          (sheared * shear.asDiagonal()).lazyProduct(sheared.transpose());
 }
 
+/// Without the axes of b. Empty where it flows, or where b is far from unity.
+std::optional<IsochoricResult> elastic_step(const HenckyJ2 &law, const Matrix3 &b, const J2State &old) {
+  const auto logarithm = small_logarithm(b);
+  if (!logarithm) return {};
+  const Matrix3 deviator = 0.5 * *logarithm - logarithm->trace() / 6 * Matrix3::Identity();
+  const double norm = deviator.norm();
+  if (!law.elastic &&
+      2 * law.shear_modulus * norm > std::sqrt(2.0 / 3.0) * law.softening(old) * law.hardening.stress(old.alpha))
+    return {};
+  IsochoricResult result;
+  result.energy = law.shear_modulus * norm * norm;
+  result.response.stress = to_vector(2 * law.shear_modulus * deviator);
+  result.state = old;
+  result.state.overstress = 0;
+  return result;
+}
+
 /// The state after a flow but for what no force depends on; `pulled`: principal axes brought back by F^-1.
 void flow_on(const J2State &old, const PrincipalReturn &principal, double mean_strain, const Matrix3 &pulled,
              J2State &state) {
@@ -149,6 +167,8 @@ IsochoricResult HenckyJ2::step(const J2State &old, const Matrix3 &F, double dt, 
   }
   if (!elastic && !backstress.none()) return kinematic_step(*this, old, F, dt, with_tangent);
   const Matrix3 b_trial = F * to_matrix(old.cp_inverse) * F.transpose();
+  if (!with_tangent)
+    if (auto simple = elastic_step(*this, b_trial, old)) return *simple;
   // The iterative solver: Eigen's closed form returns parallel axes for nearly equal eigenvalues (F close to
   // I).
   const Eigen::SelfAdjointEigenSolver<Matrix3> spectrum(b_trial);

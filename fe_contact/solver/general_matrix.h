@@ -1,40 +1,36 @@
-/// Unsymmetric sparse matrix with a symmetric pattern, by rows (CSR): the tangent of frictional contact. The
-/// pattern is fixed; an entry outside it is an error in every build.
+/// Unsymmetric sparse matrix with a symmetric pattern, by rows: what frictional contact adds to a tangent. The pattern
+/// is fixed, rows may be empty; an entry outside the pattern is an error in every build.
 #pragma once
-#include "fe_contact/solver/symmetric_matrix.h"
+#include "fe_contact/solver/sparsity.h"
+#include <Eigen/Core>
+#include <vector>
 
 namespace rimpact::fe {
 
 class GeneralMatrix {
 public:
-  /// Both triangles of a symmetric matrix's pattern.
-  explicit GeneralMatrix(const SymmetricMatrix &pattern);
+  GeneralMatrix(int n, const Couplings &couplings);
   GeneralMatrix(const GeneralMatrix &) = delete;
 
-  int n() const { return static_cast<int>(offsets_.size()) - 1; }
-  /// Takes the values of a symmetric matrix with the pattern this one was made from. A row without diagonal is empty.
-  void assign(const SymmetricMatrix &symmetric);
+  int n() const { return static_cast<int>(sparsity_.offsets.size()) - 1; }
+  void set_zero();
   /// Throws std::logic_error outside the pattern.
   void add(int row, int column, double value);
-  /// Values at columns of one row, ascending: found in one walk along it. Throws as add does.
-  void add_row(int row, const std::vector<int> &columns, const double *values);
-  /// The row becomes `diagonal` times the unit row.
-  void make_unit_row(int row, double diagonal);
-  double diagonal(int row) const { return values_[diagonals_[row]]; }
-  Eigen::VectorXd multiply(const Eigen::VectorXd &x) const;
+  /// A dense block of some equations in ascending order, which may repeat. Throws as add does.
+  void add_block(const std::vector<int> &equations, const Eigen::MatrixXd &block);
+  void clear_row(int row);
+  double diagonal(int row) const { return diagonals_[row] < 0 ? 0.0 : values_[diagonals_[row]]; }
+  /// y gains the product with x.
+  void add_product(const Eigen::VectorXd &x, Eigen::VectorXd &y) const;
 
-  std::vector<int> &offsets() { return offsets_; }
-  std::vector<int> &columns() { return columns_; }
-  std::vector<double> &values() { return values_; }
-  const std::vector<int> &offsets() const { return offsets_; }
-  const std::vector<int> &columns() const { return columns_; }
+  const std::vector<int> &offsets() const { return sparsity_.offsets; }
+  const std::vector<int> &columns() const { return sparsity_.columns; }
   const std::vector<double> &values() const { return values_; }
 
 private:
-  int entry_of(int row, int column) const;
-  std::vector<int> offsets_, columns_;
-  std::vector<int> diagonals_; ///< where they stand
-  std::vector<int> from_;      ///< which entry of the symmetric matrix each takes
+  Sparsity sparsity_;
+  std::vector<int> diagonals_; ///< where they stand, -1: not in the pattern
+  std::vector<char> filled_;   ///< rows that something was added to; most are not, of contact that is only near
   std::vector<double> values_;
 };
 

@@ -3,6 +3,9 @@
 /// or two. Where even a new factor in single precision will not do, it is made in double from then on.
 #pragma once
 #include "fe_contact/solver/flexible_gmres.h"
+#include "fe_contact/solver/general_matrix.h"
+#include "fe_contact/solver/mumps_factor.h"
+#include "fe_contact/solver/symmetric_matrix.h"
 #include <map>
 #include <string>
 
@@ -12,10 +15,10 @@ using TimeSplit = std::map<std::string, double>; ///< [s]: search, assembly, fac
 
 class LinearSolver {
 public:
-  /// Keeps references: the matrix's pattern must not change during the solver's life.
-  LinearSolver(SymmetricMatrix &matrix, TimeSplit &times) : gmres_(matrix, by_factor()), times_(times) {}
-  LinearSolver(GeneralMatrix &matrix, TimeSplit &times) : gmres_(matrix, by_factor()), times_(times) {}
-  LinearSolver(const LinearSolver &) = delete; // GMRES calls this object's factor
+  /// The matrix is the sum of both parts, and with an unsymmetric part the sum over all ranks. Without one (null) it is
+  /// symmetric, and each rank has its own. Keeps references.
+  LinearSolver(const SymmetricMatrix &symmetric, const GeneralMatrix *unsymmetric, TimeSplit &times);
+  LinearSolver(const LinearSolver &) = delete; // GMRES calls this object
   LinearSolver &operator=(const LinearSolver &) = delete;
   /// Solves with the matrix's present values to a relative residual, on the factor at hand. Empty when that takes more
   /// than `max_iterations` or there is none; it is then due.
@@ -32,13 +35,14 @@ public:
   bool needs_refactorisation = false;
 
 private:
-  FlexibleGmres::Preconditioner by_factor() {
-    return [this](std::vector<double> &x) { factor_->solve(x); };
-  }
+  Eigen::VectorXd multiply(const Eigen::VectorXd &x) const;
   bool factorise();
   Eigen::VectorXd iterate(const Eigen::VectorXd &right_side, double relative, int max_iterations);
+  const SymmetricMatrix &symmetric_;
+  const GeneralMatrix *unsymmetric_;
   Precision precision_ = Precision::single_;
   std::unique_ptr<MumpsFactor> factor_; ///< null: none of this pattern yet
+  std::vector<double> values_;          ///< kept for their memory
   bool factorised_ = false;
   int last_iterations_ = 0;
   FlexibleGmres gmres_;

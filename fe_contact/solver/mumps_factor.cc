@@ -1,5 +1,6 @@
 #include "fe_contact/solver/mumps_factor.h"
 
+#include "fe_contact/solver/ranks.h"
 #include <algorithm>
 #include <array>
 #include <dmumps_c.h>
@@ -65,11 +66,14 @@ public:
     return data_.infog[0] >= 0;
   }
 
-  void solve(std::vector<double> &x) override {
-    std::transform(x.begin(), x.end(), x_.begin(), [](double v) { return static_cast<typename Kind::Number>(v); });
+  Eigen::VectorXd solve(const Eigen::VectorXd &right_side) override {
+    std::transform(right_side.begin(), right_side.end(), x_.begin(),
+                   [](double v) { return static_cast<typename Kind::Number>(v); });
     run(3); // the first rank has the solution
+    Eigen::VectorXd x(right_side.size());
     std::copy(x_.begin(), x_.end(), x.begin());
-    if (by_all_ranks_) MPI_Bcast(x.data(), static_cast<int>(x.size()), MPI_DOUBLE, 0, MPI_COMM_WORLD);
+    if (by_all_ranks_) ranks().broadcast(x);
+    return x;
   }
 
   FactorWork work() const override {

@@ -35,47 +35,6 @@ struct Shares {
   }
 };
 
-constexpr std::size_t block = 32; ///< entries that travel together
-
-/// What each rank has for the others of a long vector that is mostly nil: the blocks that are not, and their places.
-struct Parcels {
-  explicit Parcels(int n_ranks) : counts(n_ranks, 0) {}
-  std::vector<int> counts; ///< blocks of each rank
-  std::vector<int> places; ///< in the receiver's share
-  std::vector<double> values;
-
-  /// What is packed becomes nil: it is handed over.
-  void pack(double *share, std::size_t n, int receiver) {
-    for (std::size_t k = 0; k < n; k += block) {
-      double *first = share + k, *last = share + std::min(n, k + block);
-      if (std::all_of(first, last, [](double value) { return value == 0; })) continue;
-      ++counts[receiver];
-      places.push_back(static_cast<int>(k));
-      values.insert(values.end(), first, last);
-      values.resize(places.size() * block);
-      std::fill(first, last, 0.0);
-    }
-  }
-  void exchange(Parcels &got) const {
-    MPI_Alltoall(counts.data(), 1, MPI_INT, got.counts.data(), 1, MPI_INT, MPI_COMM_WORLD);
-    const auto sent = ends_of(counts), due = ends_of(got.counts);
-    const Shares out(sent, 1), in(due, 1), out_values(sent, block), in_values(due, block);
-    got.places.resize(due.back());
-    got.values.resize(got.places.size() * block);
-    MPI_Alltoallv(places.data(), out.lengths.data(), out.places.data(), MPI_INT, got.places.data(), in.lengths.data(),
-                  in.places.data(), MPI_INT, MPI_COMM_WORLD);
-    MPI_Alltoallv(values.data(), out_values.lengths.data(), out_values.places.data(), MPI_DOUBLE, got.values.data(),
-                  in_values.lengths.data(), in_values.places.data(), MPI_DOUBLE, MPI_COMM_WORLD);
-  }
-
-private:
-  static std::vector<std::size_t> ends_of(const std::vector<int> &counts) {
-    std::vector<std::size_t> result{0};
-    for (const int count : counts) result.push_back(result.back() + count);
-    return result;
-  }
-};
-
 /// By way of the first rank: an all-reduce need not give every rank the same last bit.
 void reduce(double *values, int n, MPI_Op operation, const Ranks &ranks) {
   if (ranks.size == 1) return;
@@ -114,17 +73,13 @@ bool Ranks::any(bool value) const {
   return number > 0;
 }
 
-void Ranks::reduce_scatter(std::vector<double> &values, const std::vector<std::size_t> &offsets) const {
-  Parcels sent(size), got(size);
-  for (int r = 0; r < size; ++r)
-    if (r != own) sent.pack(values.data() + offsets[r], offsets[r + 1] - offsets[r], r);
-  sent.exchange(got);
-  double *share = values.data() + offsets[own];
-  const std::size_t n = offsets[own + 1] - offsets[own];
-  for (std::size_t k = 0; k < got.places.size(); ++k) {
-    const std::size_t place = got.places[k], length = std::min(block, n - place);
-    for (std::size_t i = 0; i < length; ++i) share[place + i] += got.values[k * block + i];
-  }
+void Ranks::broadcast(Eigen::VectorXd &values) const {
+  if (size > 1) MPI_Bcast(values.data(), static_cast<int>(values.size()), MPI_DOUBLE, 0, MPI_COMM_WORLD);
+}
+
+double Ranks::broadcast(double value) const {
+  if (size > 1) MPI_Bcast(&value, 1, MPI_DOUBLE, 0, MPI_COMM_WORLD);
+  return value;
 }
 
 void Ranks::all_gather_bytes(void *data, std::size_t bytes_each, const std::vector<std::size_t> &offsets) const {

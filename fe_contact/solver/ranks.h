@@ -18,8 +18,9 @@ struct Ranks {
   double all_reduce_sum(double value) const;
   void all_reduce_max(Eigen::VectorXd &values) const;
   bool any(bool value) const;
-  /// Each rank's own share becomes the sum over the ranks, and the others' shares nil.
-  void reduce_scatter(std::vector<double> &values, const std::vector<std::size_t> &offsets) const;
+  /// All take what the first rank has.
+  void broadcast(Eigen::VectorXd &values) const;
+  double broadcast(double value) const;
   /// Each rank's own share of `values` goes to all the others.
   template <class T> void all_gather(std::vector<T> &values, const std::vector<std::size_t> &offsets) const {
     if (size > 1) all_gather_bytes(values.data(), sizeof(T), offsets);

@@ -1,41 +1,31 @@
 #include "fe_contact/solver/symmetric_matrix.h"
 
-#include <algorithm>
+#include <array>
 #include <atomic>
 #include <stdexcept>
 
 namespace rimpact::fe {
 
-SymmetricMatrix::SymmetricMatrix(int n, const std::vector<std::vector<int>> &couplings) : n_(n) {
+SymmetricMatrix::SymmetricMatrix(int n, const Couplings &couplings) : sparsity_(Sparsity::upper(n, couplings)) {
   static std::atomic<long> patterns{0};
   pattern_id_ = ++patterns;
-  std::vector<std::vector<int>> rows(n);
-  for (int i = 0; i < n; ++i) rows[i].push_back(i);
-  std::vector<int> sorted;
-  for (const auto &clique : couplings) {
-    sorted.clear();
-    for (const int equation : clique)
-      if (equation >= 0) sorted.push_back(equation);
-    std::sort(sorted.begin(), sorted.end());
-    sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
-    for (std::size_t a = 0; a < sorted.size(); ++a)
-      rows[sorted[a]].insert(rows[sorted[a]].end(), sorted.begin() + a, sorted.end());
-  }
-  offsets_.push_back(0);
-  for (auto &row : rows) {
-    std::sort(row.begin(), row.end());
-    row.erase(std::unique(row.begin(), row.end()), row.end());
-    columns_.insert(columns_.end(), row.begin(), row.end());
-    offsets_.push_back(columns_.size());
-    std::vector<int>().swap(row);
-  }
-  values_.assign(columns_.size(), 0.0);
+  values_.assign(columns().size(), 0.0);
+  const auto follows = [&](int row) { // its columns are those of the row before but for the first
+    const auto before = columns().begin() + offsets()[row - 1] + 1, own = columns().begin() + offsets()[row];
+    return std::equal(before, own, own, columns().begin() + offsets()[row + 1]);
+  };
+  constexpr int most_rows = 3;
+  for (int row = 0; row < n; ++row)
+    if (row > 0 && bundles_.back().rows < most_rows && follows(row))
+      ++bundles_.back().rows;
+    else
+      bundles_.push_back({row, 1});
 }
 
-int SymmetricMatrix::find(int row, int column) const {
-  const auto begin = columns_.begin() + offsets_[row], end = columns_.begin() + offsets_[row + 1];
-  const auto found = std::lower_bound(begin, end, column);
-  return found != end && *found == column ? static_cast<int>(found - columns_.begin()) : -1;
+Eigen::VectorXd SymmetricMatrix::diagonal() const {
+  Eigen::VectorXd result(n());
+  for (int i = 0; i < n(); ++i) result[i] = diagonal(i);
+  return result;
 }
 
 void SymmetricMatrix::add(int i, int j, double value) {
@@ -44,22 +34,66 @@ void SymmetricMatrix::add(int i, int j, double value) {
   values_[place] += value;
 }
 
-Eigen::VectorXd SymmetricMatrix::multiply(const Eigen::VectorXd &x) const {
-  Eigen::VectorXd y = Eigen::VectorXd::Zero(n_);
-  for (int i = 0; i < n_; ++i) {
-    double sum = values_[offsets_[i]] * x[i];
-    for (int k = offsets_[i] + 1; k < offsets_[i + 1]; ++k) {
-      sum += values_[k] * x[columns_[k]];
-      y[columns_[k]] += values_[k] * x[i];
+void SymmetricMatrix::add_block(const std::vector<int> &equations, const Eigen::MatrixXd &block) {
+  for (std::size_t i = 0; i < equations.size(); ++i)
+    sparsity_.walk(equations[i], equations, i, [&](int place, std::size_t j) {
+      const double twice = j != i && equations[j] == equations[i] ? 2.0 : 1.0; // both triangles, on the diagonal
+      values_[place] += twice * block(i, j);
+    });
+}
+
+/// One walk along the columns that the rows have in common, for both triangles at once.
+template <int rows> void SymmetricMatrix::multiply(int first, const double *x, double *y) const {
+  std::array<const double *, rows> value;
+  std::array<double, rows> sum{}, own;
+  for (int r = 0; r < rows; ++r) {
+    value[r] = values_.data() + offsets()[first + r];
+    own[r] = x[first + r];
+    sum[r] += *value[r]++ * own[r];
+    for (int c = r + 1; c < rows; ++c) {
+      const double entry = *value[r]++;
+      sum[r] += entry * x[first + c];
+      sum[c] += entry * own[r];
     }
-    y[i] += sum;
   }
+  const int *column = columns().data() + offsets()[first + rows - 1] + 1;
+  const int n = offsets()[first + rows] - offsets()[first + rows - 1] - 1;
+  for (int k = 0; k < n; ++k) {
+    const double at = x[column[k]];
+    double transposed = 0;
+    for (int r = 0; r < rows; ++r) {
+      const double entry = value[r][k];
+      sum[r] += entry * at;
+      transposed += entry * own[r];
+    }
+    y[column[k]] += transposed;
+  }
+  for (int r = 0; r < rows; ++r) y[first + r] += sum[r];
+}
+
+Eigen::VectorXd SymmetricMatrix::multiply(const Eigen::VectorXd &x) const {
+  Eigen::VectorXd y = Eigen::VectorXd::Zero(n());
+  for (const auto [first, rows] : bundles_)
+    if (rows == 3)
+      multiply<3>(first, x.data(), y.data());
+    else if (rows == 2)
+      multiply<2>(first, x.data(), y.data());
+    else
+      multiply<1>(first, x.data(), y.data());
   return y;
 }
 
-void SymmetricMatrix::make_unit_row(int i, double diagonal) {
-  for (int k = offsets_[i]; k < offsets_[i + 1]; ++k) values_[k] = 0.0;
-  values_[offsets_[i]] = diagonal;
+void SymmetricMatrix::isolate(int equation, double diagonal, double factor, Eigen::VectorXd &column) {
+  for (int k = offsets()[equation]; k < offsets()[equation + 1]; ++k) {
+    column[columns()[k]] += factor * values_[k];
+    values_[k] = 0;
+  }
+  for (int row = 0; row < equation; ++row)
+    if (const int place = find(row, equation); place >= 0) {
+      column[row] += factor * values_[place];
+      values_[place] = 0;
+    }
+  values_[offsets()[equation]] = diagonal;
 }
 
 } // namespace rimpact::fe

@@ -4,7 +4,7 @@
 Counts of the runs are those of runs_alone.txt, what one of each costs that of work.txt. A factor's operations go at this machine's rate of
 single-precision products, a solution reads the factor once forwards and once backwards, a cell's forces and tangent take 56 us (decision 24).
 Rates are of one core, the best of several tries; two cores at most halve the sum. Nothing else is counted: not the contacts, GMRES's own
-vectors, steps not taken. So no build with these counts is below the bound, and a smaller one wants other counts. Of pulse-bidirectional, a
+vectors, steps not taken; a cell whose tangent is kept costs less. So hardly a build with these counts is below the bound. Of pulse-bidirectional, a
 whole model with several sectors, what one of each costs is scaled by its unknowns: an estimate.
 """
 import argparse

@@ -1,9 +1,11 @@
 // The J2 law at one point: closed form, consistency of the tangent, objectivity, exact memory (VERIFICATION
 // 10).
 #include "fe_contact/laws/hencky_j2.h"
+#include "fe_contact/laws/small_logarithm.h"
 
 #include "one_point.h"
 #include "steels.h"
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 namespace rimpact::fe {
@@ -210,6 +212,39 @@ TEST(HenckyJ2, RepeatingAnAcceptedGradientChangesNothing) {
   const auto twice = law.step(once.state, F);
   EXPECT_NEAR(twice.state.alpha, once.state.alpha, 1e-12);
   EXPECT_LT((twice.response.stress - once.response.stress).norm(), 1e-6 * 360e6);
+}
+
+/// Strains from rounding to beyond the series; up to yield, beside it and beyond, on a state that has flowed.
+TEST(HenckyJ2, WithoutItsTangentAStepAnswersTheSame) {
+  const HenckyJ2 law = HenckyJ2::from(steel);
+  std::mt19937 generator(11);
+  const J2State flowed = law.step(J2State{}, random_gradient(generator, 0.01)).state;
+  ASSERT_GT(flowed.alpha, 0);
+  for (const J2State &old : {J2State{}, flowed})
+    for (const HenckyJ2 &one : {law, law.at_rest()})
+      for (const double size : {1e-15, 1e-9, 1e-5, 1e-4, 3e-4, 1e-3, 5e-3, 0.02, 0.1}) {
+        const Matrix3 F = random_gradient(generator, size);
+        const auto with = one.step(old, F), without = one.step(old, F, 0, false);
+        EXPECT_LT((with.response.stress - without.response.stress).norm(), 1e-14 * law.shear_modulus) << size;
+        EXPECT_NEAR(with.energy, without.energy, 1e-14 * (std::sqrt(law.shear_modulus * with.energy) + 1)) << size;
+        EXPECT_NEAR(with.state.alpha, without.state.alpha, 1e-15);
+      }
+}
+
+TEST(SmallLogarithm, IsThatOfTheEigenvaluesAsFarAsItGoes) {
+  std::mt19937 generator(3);
+  for (const double size : {1e-12, 1e-6, 1e-3, 0.01, 0.02}) {
+    const Matrix3 F = random_gradient(generator, size), b = F * F.transpose();
+    const Eigen::SelfAdjointEigenSolver<Matrix3> spectrum(b);
+    const Matrix3 exact = spectrum.eigenvectors() * spectrum.eigenvalues().array().log().matrix().asDiagonal() *
+                          spectrum.eigenvectors().transpose();
+    const auto found = small_logarithm(b);
+    EXPECT_EQ(found.has_value(), (b - Matrix3::Identity()).norm() < 0.05) << size;
+    if (found) EXPECT_LT((*found - exact).norm(), 2e-15) << size;
+  }
+  EXPECT_FALSE(small_logarithm(1.1 * Matrix3::Identity()));
+  EXPECT_FALSE(small_logarithm(Matrix3::Constant(std::nan(""))));
+  EXPECT_EQ(small_logarithm(Matrix3::Identity())->norm(), 0);
 }
 
 TEST(HenckyJ2, InvertedPointIsInadmissibleNotNaN) {

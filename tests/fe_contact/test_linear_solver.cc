@@ -10,17 +10,13 @@ namespace {
 constexpr int size = 300;
 std::mt19937 generator(7);
 
-/// The pattern of eighty couplings of twelve equations, all values zero.
-SymmetricMatrix random_matrix() {
+/// Eighty couplings of twelve equations.
+Couplings random_couplings() {
   std::uniform_int_distribution<int> any(0, size - 1);
-  std::vector<std::vector<int>> couplings;
-  for (int c = 0; c < 80; ++c) {
-    std::vector<int> clique(12);
-    for (int &equation : clique) equation = any(generator);
-    couplings.push_back(clique);
-  }
-  for (int i = 0; i < size; ++i) couplings.push_back({i});
-  return {size, couplings};
+  Couplings result(80, std::vector<int>(12));
+  for (auto &coupling : result)
+    for (int &equation : coupling) equation = any(generator);
+  return result;
 }
 
 /// Entries between -1 and 1 on an indefinite diagonal; every seventh of it is a thousand million, as of driven rows.
@@ -35,9 +31,9 @@ double residual(const SymmetricMatrix &matrix, const Eigen::VectorXd &x, const E
 }
 
 TEST(LinearSolver, SolvesInDoublePrecisionOnANewAndOnAStaleFactor) {
-  SymmetricMatrix matrix = random_matrix();
+  SymmetricMatrix matrix(size, random_couplings());
   TimeSplit times;
-  LinearSolver solver(matrix, times);
+  LinearSolver solver(matrix, nullptr, times);
   const Eigen::VectorXd b = Eigen::VectorXd::Random(size);
   EXPECT_EQ(solver.solve(b, 1e-6, 20).size(), 0); // no factor yet
   fill(matrix);
@@ -49,20 +45,27 @@ TEST(LinearSolver, SolvesInDoublePrecisionOnANewAndOnAStaleFactor) {
   EXPECT_GT(times["solve"], 0);
 }
 
-TEST(LinearSolver, SolvesAnUnsymmetricMatrix) {
-  const SymmetricMatrix pattern = random_matrix();
-  GeneralMatrix matrix(pattern);
-  for (double &value : matrix.values()) value = std::uniform_real_distribution<double>(-1, 1)(generator);
-  for (int i = 0; i < size; ++i) matrix.add(i, i, i % 2 == 0 ? 40 : -40);
+TEST(LinearSolver, SolvesTheSumOfASymmetricAndAnUnsymmetricMatrix) {
+  SymmetricMatrix symmetric(size, random_couplings());
+  const Couplings couplings = random_couplings();
+  GeneralMatrix unsymmetric(size, couplings);
+  std::uniform_real_distribution<double> number(-1, 1);
+  for (double &value : symmetric.values()) value = number(generator);
+  for (int i = 0; i < size; ++i) symmetric.add(i, i, i % 2 == 0 ? 40 : -40);
+  for (const auto &coupling : couplings)
+    for (const int row : coupling)
+      for (const int column : coupling) unsymmetric.add(row, column, number(generator));
   TimeSplit times;
-  LinearSolver solver(matrix, times);
+  LinearSolver solver(symmetric, &unsymmetric, times);
   const Eigen::VectorXd b = Eigen::VectorXd::Random(size), x = solver.solve_anew(b, 1e-13, 20);
   ASSERT_EQ(x.size(), size);
-  EXPECT_LT((matrix.multiply(x) - b).norm(), 1e-12 * b.norm());
+  Eigen::VectorXd image = symmetric.multiply(x);
+  unsymmetric.add_product(x, image);
+  EXPECT_LT((image - b).norm(), 1e-12 * b.norm());
 }
 
-std::vector<std::vector<int>> neighbours() {
-  std::vector<std::vector<int>> couplings;
+Couplings neighbours() {
+  Couplings couplings;
   for (int i = 0; i + 1 < size; ++i) couplings.push_back({i, i + 1});
   return couplings;
 }
@@ -82,7 +85,7 @@ struct Chain : SymmetricMatrix {
 TEST(LinearSolver, TakesDoublePrecisionWhereSingleWillNotDo) {
   Chain matrix(1e-9); // of condition 1e14
   TimeSplit times;
-  LinearSolver solver(matrix, times);
+  LinearSolver solver(matrix, nullptr, times);
   Eigen::VectorXd pull = Eigen::VectorXd::Zero(size);
   pull[size - 1] = 1;
   const Eigen::VectorXd x = solver.solve_anew(pull, 1e-10, 20);
@@ -95,7 +98,7 @@ TEST(LinearSolver, FindsPivotsOffTheDiagonal) {
   SymmetricMatrix matrix(size, neighbours()); // [[0, 1], [1, 0]] over and over
   for (int i = 0; i < size; i += 2) matrix.add(i, i + 1, 1);
   TimeSplit times;
-  LinearSolver solver(matrix, times);
+  LinearSolver solver(matrix, nullptr, times);
   const Eigen::VectorXd b = Eigen::VectorXd::Random(size), x = solver.solve_anew(b, 1e-13, 20);
   ASSERT_EQ(x.size(), size);
   EXPECT_LT(residual(matrix, x, b), 1e-12);
@@ -104,7 +107,7 @@ TEST(LinearSolver, FindsPivotsOffTheDiagonal) {
 TEST(LinearSolver, SaysThatASingularMatrixHasNoSolution) {
   Chain matrix(0);
   TimeSplit times;
-  LinearSolver solver(matrix, times);
+  LinearSolver solver(matrix, nullptr, times);
   EXPECT_EQ(solver.solve_anew(Eigen::VectorXd::Constant(size, 1.0), 1e-10, 20).size(), 0);
 }
 

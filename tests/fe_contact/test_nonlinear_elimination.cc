@@ -35,11 +35,15 @@ struct Bar {
   Eigen::VectorXd forces(const Eigen::VectorXd &u, Tangent *tangent, CellAnswers *answers = nullptr) {
     Eigen::VectorXd result = Eigen::VectorXd::Zero(equations.n);
     SymmetricMatrix *symmetric = tangent ? &tangent->symmetric() : nullptr;
-    if (symmetric) symmetric->set_zero();
+    if (tangent) tangent->set_zero();
     EXPECT_TRUE(solid.assemble(equations.expand(u), history, next, equations, result, symmetric, energies, 0, answers));
-    if (tangent) tangent->close_symmetric();
     for (int i = 0; tangent && i < equations.n; ++i) tangent->add(i, i, spring);
     return result + spring * u;
+  }
+  Couplings each_by_itself() const { // as the springs do
+    Couplings result;
+    for (int i = 0; i < equations.n; ++i) result.push_back({i});
+    return result;
   }
   Eigen::VectorXd residual(const Eigen::VectorXd &u, Tangent *tangent) { return forces(u, tangent) - forces_there; }
 
@@ -72,7 +76,7 @@ TEST_P(Elimination, SolvesWhatOneNodeKeepsFromBalanceAndMovesNothingElse) {
   Eigen::VectorXd u = disturbed(bar, equation);
   const Eigen::VectorXd solution = bar.equations.gather(bar.stretched), start = u;
   TimeSplit times;
-  Tangent tangent(bar.equations.n, bar.solid.couplings(bar.equations), GetParam(), times);
+  Tangent tangent(bar.equations.n, bar.solid.couplings(bar.equations), bar.each_by_itself(), GetParam(), times);
   const NonlinearElimination elimination(bar.solid, bar.equations);
   const std::vector<int> none;
   double before = bar.residual(u, &tangent).norm();
@@ -95,7 +99,7 @@ TEST(NonlinearElimination, LeavesWhatIsHeldAndWhatIsSpreadTooFar) {
   int equation = -1;
   Eigen::VectorXd u = disturbed(bar, equation);
   TimeSplit times;
-  Tangent tangent(bar.equations.n, bar.solid.couplings(bar.equations), Symmetry::symmetric, times);
+  Tangent tangent(bar.equations.n, bar.solid.couplings(bar.equations), {}, Symmetry::symmetric, times);
   const NonlinearElimination elimination(bar.solid, bar.equations);
   const Eigen::VectorXd start = u, residual = bar.residual(u, &tangent);
   const std::vector<int> held{equation};
@@ -116,13 +120,12 @@ TEST(NonlinearElimination, LeavesWhatIsHeldAndWhatIsSpreadTooFar) {
 /// x^3 = 8 from far off, y = 1: a change of both leaves much, x by itself is at hand at once.
 struct Steep : NewtonTarget {
   TimeSplit times;
-  Tangent tangent{2, {{0, 1}}, Symmetry::general, times};
+  Tangent tangent{2, {}, {{0, 1}}, Symmetry::general, times};
   Eigen::VectorXd r = Eigen::VectorXd::Zero(2);
   double found = 2;
   bool evaluate(const Eigen::VectorXd &u, bool) override {
     r << u[0] * u[0] * u[0] - 8, u[1] - 1;
-    tangent.symmetric().set_zero();
-    tangent.close_symmetric();
+    tangent.set_zero();
     tangent.add(0, 0, 3 * u[0] * u[0]);
     tangent.add(1, 1, 1);
     return true;
@@ -165,8 +168,8 @@ TEST(CellAnswers, AreThoseThatWouldBeMadeAnew) {
   int equation = -1;
   const Eigen::VectorXd other = disturbed(bar, equation);
   TimeSplit times;
-  Tangent kept(bar.equations.n, bar.solid.couplings(bar.equations), Symmetry::symmetric, times),
-      anew(bar.equations.n, bar.solid.couplings(bar.equations), Symmetry::symmetric, times);
+  Tangent kept(bar.equations.n, bar.solid.couplings(bar.equations), {}, Symmetry::symmetric, times),
+      anew(bar.equations.n, bar.solid.couplings(bar.equations), {}, Symmetry::symmetric, times);
   CellAnswers answers;
   bool moved = false;
   bar.energies = {};

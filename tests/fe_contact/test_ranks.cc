@@ -3,6 +3,7 @@
 #include "fe_contact/solver/ranks.h"
 
 #include <gtest/gtest.h>
+#include <tuple>
 
 namespace rimpact::fe {
 namespace {
@@ -45,18 +46,29 @@ TEST(Ranks, ThereAreSeveral) {
   EXPECT_GT(ranks().size, 1) << "run by mpirun";
 }
 
-TEST(Ranks, WhatIsSummedUpIsHandedOver) {
-  const std::size_t n = 1000; // some blocks a share, the last one short
-  const auto offsets = ranks().offsets(n);
-  std::vector<double> values(n, 0.0);
-  for (std::size_t k = 0; k < n; k += 3) values[k] = static_cast<double>(k + 1);
-  for (int again = 0; again < 2; ++again) { // what was handed over is not counted twice
-    ranks().reduce_scatter(values, offsets);
-    for (std::size_t k = 0; k < n; ++k) {
-      const bool own = k >= offsets[ranks().own] && k < offsets[ranks().own + 1];
-      ASSERT_EQ(values[k], own && k % 3 == 0 ? ranks().size * static_cast<double>(k + 1) : 0) << k;
-    }
+/// Each rank has springs of its own between neighbours, and all of a contact but for what it divides among them.
+TEST(Ranks, SolveTheSumOfTheirMatrices) {
+  constexpr int n = 60;
+  Couplings neighbours, own;
+  for (int i = 0; i + 1 < n; ++i) neighbours.push_back({i, i + 1});
+  for (int i = ranks().own; i + 1 < n; i += ranks().size) own.push_back({i, i + 1});
+  SymmetricMatrix springs(n, own);
+  GeneralMatrix contact(n, neighbours);
+  Eigen::MatrixXd whole = Eigen::MatrixXd::Zero(n, n);
+  const double share = 1.0 / ranks().size;
+  for (int i = 0; i + 1 < n; ++i) {
+    if (i % ranks().size == ranks().own)
+      for (const auto [row, column, value] : {std::tuple(i, i, 2.0), {i + 1, i + 1, 2.0}, {i, i + 1, -1.0}})
+        springs.add(row, column, value);
+    contact.add(i, i + 1, 0.4 * share);
+    whole.block<2, 2>(i, i) += (Eigen::Matrix2d() << 2, -0.6, -1, 2).finished();
   }
+  TimeSplit times;
+  LinearSolver solver(springs, &contact, times);
+  const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(n, -1, 2), x = solver.solve_anew(b, 1e-12, 30);
+  ASSERT_EQ(x.size(), n);
+  EXPECT_LT((whole * x - b).norm(), 1e-11 * b.norm());
+  EXPECT_LE(solver.last_iterations(), 4); // the factor is of the sum, too
 }
 
 TEST(Ranks, StickAndSlipAreThoseOfOneRank) {

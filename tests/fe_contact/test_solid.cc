@@ -121,8 +121,7 @@ TEST_P(SolidTest, MassMovesAsARigidBody) {
   const Discretisation space(bent_box(), GetParam());
   const Solid solid(space, scene::Bearing{});
   const Equations equations = all_free(space);
-  SymmetricMatrix mass(equations.n, solid.couplings(equations));
-  solid.add_mass(equations, mass);
+  const SymmetricMatrix mass = solid.mass(equations);
   Eigen::VectorXd v = Eigen::VectorXd::Zero(equations.n);
   for (std::size_t a = 0; a < space.n_nodes; ++a) v.segment<3>(3 * a) = Eigen::Vector3d(1, 2, 3);
   EXPECT_NEAR(v.dot(mass.multiply(v)), 14 * solid.mass_of(Volume::rim), 1e-9 * 14 * solid.mass_of(Volume::rim));
@@ -151,7 +150,7 @@ TEST_P(SolidTest, ATangentIsKeptWhileACellHardlyDeforms) {
   EXPECT_EQ(tangent_at(space, kept, elastic, forces), first);
   const auto other = tangent_at(space, fresh, elastic, forces_afresh);
   EXPECT_NE(other, first);
-  EXPECT_EQ(forces, forces_afresh) << "residuals are exact";
+  EXPECT_LT((forces - forces_afresh).norm(), 1e-14 * forces.norm()) << "residuals are exact, to rounding";
   kept.forget_tangents();
   EXPECT_EQ(tangent_at(space, kept, elastic, forces), other);
   fresh.forget_tangents();

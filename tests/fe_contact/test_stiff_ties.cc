@@ -26,9 +26,7 @@ TEST(StiffTies, ForcesAreTheEnergysSlopeAndTheTangentTheirs) {
   const Eigen::Vector4d u(0.3, -0.2, 0.7, 0.4);
   for (const Symmetry symmetry : {Symmetry::symmetric, Symmetry::general}) {
     TimeSplit times;
-    Tangent tangent(4, ties.couplings(), symmetry, times);
-    tangent.symmetric().set_zero();
-    tangent.close_symmetric();
+    Tangent tangent(4, {}, ties.couplings(), symmetry, times);
     ties.add_tangent(tangent);
     Eigen::VectorXd forces = Eigen::VectorXd::Zero(4);
     ties.add_forces(u, forces);

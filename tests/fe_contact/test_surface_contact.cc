@@ -199,10 +199,9 @@ TEST_P(Carried, TangentIsTheDerivativeAndActionIsReaction) {
   const Equations &equations = blocks.equations;
   const Eigen::VectorXd u = blocks.moved({0.021, -0.013, -4e-4}, 2e-5);
   SurfaceContactState state = contact.open(blocks.moved({0.0209, -0.013, 0}, 0));
-  auto couplings = contact.couplings(equations, u, state.opposite);
-  for (int i = 0; i < equations.n; ++i) couplings.push_back({i});
+  const auto couplings = contact.couplings(equations, u, state.opposite);
   TimeSplit times;
-  Tangent tangent(equations.n, couplings, Symmetry::general, times);
+  Tangent tangent(equations.n, {}, couplings, Symmetry::general, times);
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(equations.n);
   const auto report = contact.assemble(u, state, 1e-3, equations, forces, &tangent);
   ASSERT_TRUE(report.pattern_holds);
@@ -251,13 +250,13 @@ TEST(Carried, OnAStretchedCarrierTheLedgerTakesWhatTheForcesDo) {
     u = displaced(way);
     forces.setZero();
     auto report = blocks.contact->assemble(u, state, 0, blocks.equations, forces, nullptr);
-    blocks.contact->add_work(before, state, u, report);
+    blocks.contact->add_work(before, state, blocks.contact->places(u, state), report);
     if (way > 1.5e-4) {
       ASSERT_GT(report.slip, 20);
       const double done = 0.5 * (forces_before + forces).dot(u - u_before);
       EXPECT_NEAR(report.friction_work + report.normal_work, done, 2e-3 * std::abs(report.friction_work));
     }
-    blocks.contact->commit(u, state, {NextMultipliers::same});
+    blocks.contact->commit(u, blocks.contact->places(u, state), state, {NextMultipliers::same});
   }
 }
 

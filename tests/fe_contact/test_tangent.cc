@@ -2,6 +2,7 @@
 #include "blocks.h"
 #include "fe_contact/solver/tangent.h"
 
+#include <Eigen/LU>
 #include <fmt/format.h>
 
 #include <gtest/gtest.h>
@@ -10,33 +11,41 @@
 namespace rimpact::fe {
 namespace {
 
-/// A dense 4 x 4 system whose third equation is driven; what a Newton change leaves of the residual.
-Eigen::VectorXd change_by(Symmetry symmetry, double miss) {
+/// A dense 4 x 4 system whose third equation is driven, of a solid and a contact that couples it too; `skew`: of the
+/// contact. The error of Newton's change against the dense solution.
+double error_of_change(Symmetry symmetry, double skew, double miss) {
   TimeSplit times;
-  Tangent tangent(4, {{0, 1, 2, 3}}, symmetry, times);
+  Tangent tangent(4, {{0, 1, 2, 3}}, {{0, 1, 2, 3}}, symmetry, times);
+  Eigen::Matrix4d dense;
   for (int i = 0; i < 4; ++i)
-    for (int k = i; k < 4; ++k) tangent.symmetric().add(i, k, i == k ? 10.0 + i : 1.0 + i + 0.5 * k);
-  tangent.close_symmetric();
-  Eigen::VectorXd residual(4), moved = Eigen::VectorXd::Zero(4);
-  residual << 1, -2, 0, 3;
+    for (int k = 0; k < 4; ++k) {
+      const double solid = i == k ? 10.0 + i : 1.0 + 0.5 * (i + k), contact = 0.3 * (i + k) + skew * (i - k);
+      if (k >= i) tangent.symmetric().add(i, k, solid);
+      tangent.add(i, k, contact);
+      dense(i, k) = solid + contact;
+    }
+  const Eigen::Vector4d forces(1, -2, 0, 3);
+  Eigen::VectorXd residual = forces, moved = Eigen::VectorXd::Zero(4);
   tangent.drive(2, 7.0, miss, moved);
   residual += moved;
   residual[2] = 7.0 * miss;
-  return tangent.solver().solve_anew(-residual, 1e-12, 30);
+  const Eigen::VectorXd change = tangent.solver().solve_anew(-residual, 1e-12, 30);
+  dense.row(2) = Eigen::RowVector4d::Unit(2);
+  Eigen::Vector4d right = -forces;
+  right[2] = -miss;
+  const Eigen::Vector4d expected = dense.partialPivLu().solve(right);
+  return change.size() == 4 ? (change - expected).norm() / expected.norm() : 1;
 }
 
-TEST(Tangent, ADrivenEquationGivesTheSameChangeByOneTriangleAsByBoth) {
-  const Eigen::VectorXd whole = change_by(Symmetry::general, 0.3), half = change_by(Symmetry::symmetric, 0.3);
-  ASSERT_EQ(whole.size(), 4);
-  ASSERT_EQ(half.size(), 4);
-  EXPECT_NEAR(half[2], -0.3, 1e-12);
-  EXPECT_LT((whole - half).norm(), 1e-10 * whole.norm());
+TEST(Tangent, ADrivenEquationGoesAllItsWayAndTheOthersFollow) {
+  EXPECT_LT(error_of_change(Symmetry::symmetric, 0, 0.3), 1e-10);
+  EXPECT_LT(error_of_change(Symmetry::general, 0, 0.3), 1e-10);
+  EXPECT_LT(error_of_change(Symmetry::general, 0.7, 0.3), 1e-10);
 }
 
 TEST(Tangent, WhatIsAddedByBothTrianglesIsTakenBySymmetricPart) {
   TimeSplit times;
-  Tangent tangent(2, {{0, 1}}, Symmetry::symmetric, times);
-  tangent.symmetric().set_zero();
+  Tangent tangent(2, {}, {{0, 1}}, Symmetry::symmetric, times);
   tangent.add(0, 1, 3.0);
   tangent.add(1, 0, 1.0);
   tangent.add(1, 1, 5.0);
@@ -46,17 +55,34 @@ TEST(Tangent, WhatIsAddedByBothTrianglesIsTakenBySymmetricPart) {
   EXPECT_EQ(tangent.diagonal(1), 5.0);
 }
 
+/// A block whose first and second equation are the same one, given by both kinds of tangent.
+TEST(Tangent, ABlockIsAddedAsItsEntriesAre) {
+  const Eigen::MatrixXd block = (Eigen::Matrix3d() << 1, 2, 3, 4, 5, 6, 7, 8, 9).finished();
+  for (const Symmetry symmetry : {Symmetry::symmetric, Symmetry::general}) {
+    TimeSplit times;
+    const Couplings couplings{{1, 3}};
+    Tangent by_block(4, {}, couplings, symmetry, times), by_entries(4, {}, couplings, symmetry, times);
+    const std::vector<int> equations{1, 1, 3};
+    by_block.add_block(equations, block);
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) by_entries.add(equations[i], equations[j], block(i, j));
+    for (int i = 0; i < 4; ++i)
+      EXPECT_LT((by_block.multiply(Eigen::Vector4d::Unit(i)) - by_entries.multiply(Eigen::Vector4d::Unit(i))).norm(),
+                1e-14);
+    EXPECT_THROW(by_block.add_block({1, 2, 3}, block), std::logic_error);
+  }
+}
+
 /// x^2 - y = 1 + m, y^2 = 3 + 2 m under x + y = 3: one more unknown m, one more equation.
 struct Curves : NewtonTarget {
   TimeSplit times;
-  Tangent tangent{2, {{0, 1}}, Symmetry::general, times};
+  Tangent tangent{2, {}, {{0, 1}}, Symmetry::general, times};
   Eigen::VectorXd r = Eigen::VectorXd::Zero(2);
   BorderingConstraint edge{Eigen::Vector2d(1, 2), Eigen::Vector2d(1, 1), 0, 1e-12, 0.1};
   bool evaluate(const Eigen::VectorXd &u, bool) override {
     r << u[0] * u[0] - u[1] - 1 - edge.multiplier, u[1] * u[1] - 3 - 2 * edge.multiplier;
     edge.constraint = u[0] + u[1] - 3;
-    tangent.symmetric().set_zero();
-    tangent.close_symmetric();
+    tangent.set_zero();
     tangent.add(0, 0, 2 * u[0]);
     tangent.add(0, 1, -1);
     tangent.add(1, 1, 2 * u[1]);
@@ -83,8 +109,7 @@ TEST(Newton, FindsTheMultiplierThatHoldsItsConstraint) {
 struct Creeping : Curves {
   bool evaluate(const Eigen::VectorXd &u, bool) override {
     r = u;
-    tangent.symmetric().set_zero();
-    tangent.close_symmetric();
+    tangent.set_zero();
     for (int i : {0, 1}) tangent.add(i, i, 10);
     return true;
   }
@@ -139,20 +164,51 @@ TEST(Tangent, FrictionThatIsSetOnTheWayMakesItWhole) {
   EXPECT_EQ(iterations[0], iterations[1]);
 }
 
-TEST(GeneralMatrix, MultipliesSolvesAndRefusesEntriesOutsideItsPattern) {
-  const SymmetricMatrix pattern(4, {{0, 1, 2}, {2, 3}});
-  GeneralMatrix matrix(pattern);
-  Eigen::Matrix4d dense = Eigen::Matrix4d::Zero();
+TEST(GeneralMatrix, MultipliesAndRefusesEntriesOutsideItsPattern) {
+  GeneralMatrix matrix(5, {{0, 1, 2}, {-1, 2, 3}}); // the last row is empty
+  Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(5, 5);
   for (const auto &[i, j, value] : std::vector<std::tuple<int, int, double>>{
            {0, 0, 4}, {0, 1, 1}, {1, 0, -2}, {1, 1, 5}, {2, 2, 3}, {2, 3, 1}, {3, 2, 0.5}, {3, 3, 6}, {0, 2, 0.7}}) {
     matrix.add(i, j, value);
     dense(i, j) += value;
   }
-  const Eigen::Vector4d x(1, -2, 0.5, 3);
-  EXPECT_LT((matrix.multiply(x) - dense * x).norm(), 1e-14);
+  Eigen::VectorXd x(5);
+  x << 1, -2, 0.5, 3, 7;
+  const auto product = [&] {
+    Eigen::VectorXd y = Eigen::VectorXd::Ones(5);
+    matrix.add_product(x, y);
+    return Eigen::VectorXd(y - Eigen::VectorXd::Ones(5));
+  };
+  EXPECT_LT((product() - dense * x).norm(), 1e-14);
   EXPECT_THROW(matrix.add(0, 3, 1.0), std::logic_error);
-  matrix.make_unit_row(1, 2.0);
-  dense.row(1) << 0, 2, 0, 0;
+  EXPECT_THROW(matrix.add(4, 4, 1.0), std::logic_error);
+  EXPECT_EQ(matrix.diagonal(3), 6);
+  EXPECT_EQ(matrix.diagonal(4), 0);
+  matrix.clear_row(1);
+  dense.row(1).setZero();
+  EXPECT_LT((product() - dense * x).norm(), 1e-14);
+}
+
+/// Nodes of three equations, of two and of one: rows that are walked along together, and such that are not.
+TEST(SymmetricMatrix, MultipliesAsTheDenseMatrixDoesHoweverItsRowsAreBundled) {
+  SymmetricMatrix matrix(9, {{0, 1, 2, 3, 4}, {3, 4, 5}, {0, 1, 2, 6, 7, 8}, {8}});
+  Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(9, 9);
+  for (int row = 0; row < 9; ++row)
+    for (int k = matrix.offsets()[row]; k < matrix.offsets()[row + 1]; ++k) {
+      const double value = std::sin(1.0 + k);
+      matrix.add(row, matrix.columns()[k], value);
+      dense(row, matrix.columns()[k]) = dense(matrix.columns()[k], row) = value;
+    }
+  const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(9, -1, 2);
+  EXPECT_LT((matrix.multiply(x) - dense * x).norm(), 1e-14);
+  EXPECT_THROW(matrix.add(5, 8, 1.0), std::logic_error);
+  Eigen::VectorXd column = Eigen::VectorXd::Zero(9);
+  const Eigen::VectorXd of_four = dense.col(4);
+  matrix.isolate(4, 2.0, -0.5, column);
+  EXPECT_LT((column + 0.5 * of_four).norm(), 1e-14);
+  dense.row(4).setZero();
+  dense.col(4).setZero();
+  dense(4, 4) = 2;
   EXPECT_LT((matrix.multiply(x) - dense * x).norm(), 1e-14);
 }
 
