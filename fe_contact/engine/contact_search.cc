@@ -80,9 +80,9 @@ bool ContactSearch::is_candidate(std::size_t k, const Eigen::VectorXd &u, int op
   return master_.distance(carrier_->approximate_pull_back(position(points_[k], u), u, opposite)).gap < rough;
 }
 
-std::vector<std::vector<int>> ContactSearch::couplings(const Equations &equations, const Eigen::VectorXd &u,
-                                                       const std::vector<int> &opposite) {
-  std::vector<std::vector<int>> result;
+Couplings ContactSearch::couplings(const Equations &equations, const Eigen::VectorXd &u,
+                                   const std::vector<int> &opposite) {
+  Couplings result;
   pairs_.assign(faces_.size(), {});
   for (std::size_t f = 0; f < faces_.size(); ++f) {
     std::vector<int> own;

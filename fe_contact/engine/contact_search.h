@@ -6,6 +6,7 @@
 #include "fe_contact/laws/coulomb.h"
 #include "fe_contact/laws/master_surface.h"
 #include "fe_contact/solver/equations.h"
+#include "fe_contact/solver/sparsity.h"
 #include <optional>
 #include <vector>
 
@@ -73,8 +74,7 @@ public:
   bool is_candidate(std::size_t k, const Eigen::VectorXd &u, int opposite) const;
   /// Equations coupled by each slave face and what is opposite or near it at dof displacements u; the pairs are
   /// remembered as those the pattern holds. `opposite`: the state's, where the search begins.
-  std::vector<std::vector<int>> couplings(const Equations &equations, const Eigen::VectorXd &u,
-                                          const std::vector<int> &opposite);
+  Couplings couplings(const Equations &equations, const Eigen::VectorXd &u, const std::vector<int> &opposite);
   /// Whether the pattern holds this pair of a slave and a carrier face.
   bool in_pattern(std::size_t face, int carrier_face) const;
   /// Shortest time until an open point touches at dof velocities v [s]; infinity when none closes.

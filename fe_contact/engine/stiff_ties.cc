@@ -4,8 +4,8 @@
 
 namespace rimpact::fe {
 
-std::vector<std::vector<int>> StiffTies::couplings() const {
-  std::vector<std::vector<int>> result;
+Couplings StiffTies::couplings() const {
+  Couplings result;
   for (const Tie &tie : ties_) {
     result.emplace_back();
     for (const Term &term : tie.terms) result.back().push_back(term.equation);

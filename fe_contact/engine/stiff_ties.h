@@ -16,7 +16,7 @@ public:
   /// stiffness > 0 [N/m]
   void add(std::vector<Term> terms, double stiffness) { ties_.push_back({std::move(terms), stiffness}); }
   /// The equations of each relation, for a pattern.
-  std::vector<std::vector<int>> couplings() const;
+  Couplings couplings() const;
   void add_forces(const Eigen::VectorXd &u, Eigen::VectorXd &forces) const; ///< internal sign, at the values u [m]
   void add_tangent(Tangent &tangent) const;
   double energy(const Eigen::VectorXd &u) const; ///< that the springs store [J]

@@ -26,8 +26,7 @@ public:
   /// what they bear follows with the next solution. Throws std::invalid_argument where they are not as many.
   SurfaceContactState carried(const SurfaceContactState &other, const Eigen::VectorXd &u) const;
   /// See ContactSearch::couplings.
-  std::vector<std::vector<int>> couplings(const Equations &equations, const Eigen::VectorXd &u,
-                                          const std::vector<int> &opposite) {
+  Couplings couplings(const Equations &equations, const Eigen::VectorXd &u, const std::vector<int> &opposite) {
     return search_.couplings(equations, u, opposite);
   }
   /// Adds (internal-sign) contact forces and the tangent at dof displacements u; fills `state`'s results. With several

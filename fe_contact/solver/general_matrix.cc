@@ -1,7 +1,6 @@
 #include "fe_contact/solver/general_matrix.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 namespace rimpact::fe {
 
@@ -16,9 +15,7 @@ void GeneralMatrix::set_zero() {
 }
 
 void GeneralMatrix::add(int row, int column, double value) {
-  const int place = sparsity_.find(row, column);
-  if (place < 0) throw std::logic_error("matrix entry outside the sparsity pattern");
-  values_[place] += value;
+  values_[sparsity_.at(row, column)] += value;
   filled_[row] = 1;
 }
 

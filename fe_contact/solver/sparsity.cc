@@ -48,4 +48,10 @@ int Sparsity::find(int row, int column) const {
   return found != end && *found == column ? static_cast<int>(found - columns.begin()) : -1;
 }
 
+int Sparsity::at(int row, int column) const {
+  const int place = find(row, column);
+  if (place < 0) throw std::logic_error("matrix entry outside the sparsity pattern");
+  return place;
+}
+
 } // namespace rimpact::fe

@@ -17,6 +17,7 @@ struct Sparsity {
   static Sparsity upper(int n, const Couplings &couplings);
   /// The entry (row, column), or -1.
   int find(int row, int column) const;
+  int at(int row, int column) const; ///< likewise; throws std::logic_error where there is none
   /// Calls entry(place, i) for column at[i] of a row, i from `first` on, in one walk along the row. The columns ascend
   /// and may repeat. Throws std::logic_error where one is not in the row.
   template <class Entry> void walk(int row, const std::vector<int> &at, std::size_t first, Entry &&entry) const {

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <atomic>
-#include <stdexcept>
 
 namespace rimpact::fe {
 
@@ -29,9 +28,7 @@ Eigen::VectorXd SymmetricMatrix::diagonal() const {
 }
 
 void SymmetricMatrix::add(int i, int j, double value) {
-  const int place = find(std::min(i, j), std::max(i, j));
-  if (place < 0) throw std::logic_error("matrix entry outside the sparsity pattern");
-  values_[place] += value;
+  values_[sparsity_.at(std::min(i, j), std::max(i, j))] += value;
 }
 
 void SymmetricMatrix::add_block(const std::vector<int> &equations, const Eigen::MatrixXd &block) {
