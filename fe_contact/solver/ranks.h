@@ -1,6 +1,6 @@
-/// The processes that share one run (`mpirun -np N`). Each holds the mesh and the whole state; cells and slave faces are
-/// shared out. What is decided on the way is decided alike on every rank, because all of them see the same numbers, bit
-/// for bit. Without mpirun there is one rank, and nothing is sent.
+/// The processes that share one run (`mpirun -np N`). Each holds the mesh and the whole state; cells and slave faces
+/// are shared out. What is decided on the way is decided alike on every rank, because all of them see the same numbers,
+/// bit for bit. Without mpirun there is one rank, and nothing is sent.
 #pragma once
 #include <cstddef>
 #include <Eigen/Core>
