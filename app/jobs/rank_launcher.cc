@@ -2,6 +2,7 @@
 
 #include "app/console/child_process.h"
 #include "app/words/run_words.h"
+#include "io/files/address_space.h"
 #include "io/files/error.h"
 #include "io/files/text.h"
 #include <algorithm>
@@ -39,7 +40,7 @@ class SessionFolder {
 public:
   SessionFolder() {
     if (!mkdtemp(path_.data()))
-      throw IoError("no folder can be made in " + std::filesystem::temp_directory_path().string());
+      throw IoError("no folder can be made in " + temporary() + " (TMPDIR), which several ranks need: give --ranks 1");
   }
   ~SessionFolder() {
     std::error_code none;
@@ -49,7 +50,12 @@ public:
   std::string variable() const { return "TMPDIR=" + path_; }
 
 private:
-  std::string path_ = (std::filesystem::temp_directory_path() / "rimpact-XXXXXX").string();
+  static std::string temporary() {
+    std::error_code none;
+    const auto path = std::filesystem::temp_directory_path(none);
+    return none ? "/tmp" : path.string();
+  }
+  std::string path_ = temporary() + "/rimpact-XXXXXX";
 };
 
 } // namespace
@@ -70,7 +76,7 @@ std::optional<int> take_ranks(std::vector<std::string> &words) {
 int usual_ranks(const std::vector<std::string> &words) {
   constexpr int usual = 2; // what more gain is not measured
   if (std::getenv("RIMPACT_THREADS") || std::getenv("OMPI_COMM_WORLD_SIZE") || cores_to_use() < usual ||
-      !is_program("mpirun"))
+      address_space_limit() || !is_program("mpirun")) // a limit is for one process to keep, and to speak of
     return 1;
   try {
     CLI::App app;
@@ -80,8 +86,7 @@ int usual_ranks(const std::vector<std::string> &words) {
     add_run_words(*verb, run, console);
     app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
     const scene::Scene scene = scene::load_scene(run.scene, console.settings());
-    const bool expensive = has_dish(scene.model.rung) && scene.model.mesh > 0;
-    return expensive && !run.dry_run ? usual : 1;
+    return scene.model.mesh > 0 && !run.dry_run ? usual : 1;
   } catch (const std::exception &) { // help is asked for, or something is wrong: rimpact-fe tells
     return 1;
   }

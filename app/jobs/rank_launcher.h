@@ -14,9 +14,9 @@ namespace rimpact::app {
 /// anything but 1 up to the machine's processors, and under mpirun.
 std::optional<int> take_ranks(std::vector<std::string> &words);
 
-/// Ranks of a run whose words name none. Two, where the scene asks for a stack on mesh 1 or finer and two processors
-/// may be used by it: $RIMPACT_THREADS says that they are shared out already. Else one; also where the words are no
-/// run's, which rimpact-fe will say.
+/// Ranks of a run whose words name none. Two, where the scene asks for mesh 1 or finer and two processors may be used
+/// by it: $RIMPACT_THREADS says that they are shared out already, and where the address space has a limit one process
+/// keeps it. Else one; also where the words are no run's, which rimpact-fe will say.
 int usual_ranks(const std::vector<std::string> &words);
 
 /// Runs `program words...` on so many ranks and returns their exit code. Throws IoError where mpirun is not installed.

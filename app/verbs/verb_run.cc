@@ -163,7 +163,7 @@ void add_run(CLI::App &verb, Console &console) {
   add_run_words(verb, *words, console);
   verb.add_option_function<int>(
       "--ranks", [](int) { throw InputError("--ranks is for rimpact, which starts rimpact-fe on them"); },
-      "so many processes share the run; 1: one alone; without it the expensive rungs take two on mesh 1 and finer");
+      "so many processes share the run; 1: one alone; without it a run takes two on mesh 1 and finer");
   verb.callback([words, &console] { run(*words, console); });
 }
 

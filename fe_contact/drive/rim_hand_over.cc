@@ -48,9 +48,8 @@ SystemState parted_state(const BearingModel &model, const BearingSystem &joined,
   SystemState result = alone.at_rest();
   carry_over(joined, alone, state, result);
   result.u = carried_over(joined.equations(), alone.equations(), state.u, result.u);
-  held.displacement = joined.expand(state);
-  for (std::size_t dof = 0; dof < alone.equations().of_dof.size(); ++dof)
-    if (alone.equations().of_dof[dof] >= 0) held.displacement[dof] = 0;
+  held.displacement = joined.equations().expand(carried_over(
+      alone.equations(), joined.equations(), Eigen::VectorXd::Zero(alone.equations().n), state.u)); // of the rest alone
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(alone.equations().n);
   SolidHistory same;
   model.solid.assemble(alone.expand(result), state.history, same, alone.equations(), forces, nullptr, result.energies);

@@ -120,11 +120,21 @@ bool ContactSearch::in_pattern(std::size_t face, int carrier_face) const {
 }
 
 double ContactSearch::stiffness_per_area(const Equations &equations, const Eigen::VectorXd &diagonal) const {
+  // The nodes of an edge know whether the faces beside it have middles. A face's own middle does not; the nine nodes of
+  // a block's face have some four and a half times as much as it.
+  constexpr double nine_over_middle = 4.5;
   double stiffness = 0, area = 0;
+  const auto of_node = [&](unsigned node) {
+    double sum = 0;
+    for (int i = 0; i < 3; ++i)
+      if (const int equation = equations.of_dof[3 * node + i]; equation >= 0) sum += diagonal[equation] / 3;
+    return sum;
+  };
   for (const auto *face : faces_)
-    for (const unsigned node : face->nodes)
-      for (int i = 0; i < 3; ++i)
-        if (const int equation = equations.of_dof[3 * node + i]; equation >= 0) stiffness += diagonal[equation] / 3;
+    if (face->nodes.size() == 9)
+      stiffness += nine_over_middle * of_node(face->nodes[4]);
+    else
+      for (const unsigned node : face->nodes) stiffness += of_node(node);
   for (const auto &point : points_) area += point.area;
   return ranks().all_reduce_sum(stiffness) * pass_share_ / area;
 }

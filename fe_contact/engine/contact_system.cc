@@ -46,7 +46,7 @@ Symmetry ContactSystem::symmetry() const {
     const FrictionCoefficient &mu = contact.law().friction;
     return mu.fast > 0 || mu.slow > 0;
   });
-  return friction || ranks().size > 1 ? Symmetry::general : Symmetry::symmetric;
+  return friction ? Symmetry::general : Symmetry::symmetric;
 }
 
 SystemState ContactSystem::at_rest() {

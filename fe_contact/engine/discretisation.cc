@@ -12,6 +12,7 @@
 #include <deal.II/numerics/data_out.h>
 #include <fstream>
 #include <limits>
+#include <utility>
 
 namespace rimpact::fe {
 namespace {
@@ -70,6 +71,13 @@ public:
   }
 };
 
+/// Not where the mesh is held or cut: on the others contacts and loads act, by the shapes of their nine nodes.
+bool may_be_loaded(meshes::Surface group) {
+  using meshes::Surface;
+  constexpr std::array others{Surface::fixed, Surface::symmetry, Surface::sector_end};
+  return std::find(others.begin(), others.end(), group) == others.end();
+}
+
 } // namespace
 
 struct Discretisation::DealII {
@@ -81,7 +89,7 @@ struct Discretisation::DealII {
   std::vector<Point<3>> unit_points; ///< of the local nodes
 };
 
-Discretisation::Discretisation(const meshes::HexMesh &mesh, int degree)
+Discretisation::Discretisation(const meshes::HexMesh &mesh, int degree, const CellChoice &serendipity)
     : degree(degree), nodes_per_cell((degree + 1) * (degree + 1) * (degree + 1)), dealii_(std::make_unique<DealII>()) {
   auto &d = *dealii_;
   make_curved_mesh(mesh, d.triangulation, d.mapping);
@@ -106,6 +114,8 @@ Discretisation::Discretisation(const meshes::HexMesh &mesh, int degree)
     for (int a = 0; a < nodes_per_cell; ++a) full_values.push_back(d.fe->shape_value(d.dof_of_node[a], point));
   reduced_to_full = carried_on(degree, degree + 1);
   read_faces();
+  is_interpolated.assign(n_nodes, 0);
+  if (serendipity && degree == 2) leave_middles_out(serendipity(*this));
 }
 
 void Discretisation::read_cells() {
@@ -145,6 +155,75 @@ void Discretisation::read_faces() {
       for (const auto &entry : sorted) face.nodes.push_back(entry.second);
       faces.push_back(face);
     }
+}
+
+SerendipityShapes Discretisation::shapes_of(std::size_t cell) const {
+  std::array<bool, 27> left_out;
+  for (int a = 0; a < 27; ++a) left_out[a] = is_interpolated[cell_nodes[27 * cell + a]];
+  return {node_places, left_out};
+}
+
+std::vector<double> Discretisation::displacement_values(std::size_t cell) const {
+  std::vector<double> values = full_values;
+  if (degree != 2) return values;
+  const SerendipityShapes shapes = shapes_of(cell);
+  for (int q = 0; q < full.n_points; ++q) shapes.apply(&values[std::size_t(27) * q]);
+  return values;
+}
+
+bool Discretisation::keeps_a_face(std::size_t cell) const {
+  for (int a = 0; a < 27; ++a)
+    if (middles_of(node_places[a]) == 2 && !is_interpolated[cell_nodes[27 * cell + a]]) return true;
+  return false;
+}
+
+/// A cell that turns as it is has no strain only where the geometry, too, is what the nodes around a middle make of it.
+void Discretisation::keep_middles_off_their_edges() {
+  constexpr double allowed = 1e-3; // of the cell's size
+  const std::vector<char> asked = is_interpolated;
+  std::array<bool, 27> middles;
+  for (int a = 0; a < 27; ++a) middles[a] = middles_of(node_places[a]) >= 2;
+  const SerendipityShapes shapes(node_places, middles);
+  for (std::size_t c = 0; c < n_cells; ++c) {
+    const unsigned *nodes = &cell_nodes[27 * c];
+    double size = 0;
+    for (int a = 0; a < 27; ++a) size = std::max(size, (positions[nodes[a]] - positions[nodes[0]]).norm());
+    for (int a = 0; a < 27; ++a) {
+      if (!asked[nodes[a]]) continue;
+      Eigen::Vector3d off = positions[nodes[a]];
+      for (const auto &[other, weight] : shapes.weights(a)) off -= weight * positions[nodes[other]];
+      if (off.norm() > allowed * size) is_interpolated[nodes[a]] = 0;
+    }
+  }
+}
+
+void Discretisation::leave_middles_out(const std::vector<char> &serendipity) {
+  for (std::size_t c = 0; c < n_cells; ++c)
+    for (int a = 0; a < 27; ++a)
+      if (serendipity[c] && middles_of(node_places[a]) >= 2) is_interpolated[cell_nodes[27 * c + a]] = 1;
+  for (std::size_t c = 0; c < n_cells; ++c)
+    for (int a = 0; a < 27 && !serendipity[c]; ++a) is_interpolated[cell_nodes[27 * c + a]] = 0;
+  for (const Face &face : faces)
+    if (may_be_loaded(face.group)) is_interpolated[face.nodes[4]] = 0;
+  keep_middles_off_their_edges();
+  for (std::size_t c = 0; c < n_cells; ++c)
+    if (keeps_a_face(c))
+      for (int a = 0; a < 27; ++a)
+        if (middles_of(node_places[a]) == 3) is_interpolated[cell_nodes[27 * c + a]] = 0;
+  std::vector<char> done(n_nodes, 0);
+  for (std::size_t c = 0; c < n_cells; ++c) {
+    const SerendipityShapes shapes = shapes_of(c);
+    if (!shapes.any()) continue;
+    const unsigned *nodes = &cell_nodes[27 * c];
+    for (int a = 0; a < 27; ++a) {
+      if (!is_interpolated[nodes[a]] || std::exchange(done[nodes[a]], 1)) continue;
+      interpolated.push_back({nodes[a], {}});
+      for (const auto &[other, weight] : shapes.weights(a)) interpolated.back().from.emplace_back(nodes[other], weight);
+    }
+    for (QuadratureData *data : {&full, &reduced})
+      for (int row = 0; row < 3 * data->n_points; ++row)
+        shapes.apply(&data->gradients[27 * (3 * data->n_points * c + row)]);
+  }
 }
 
 Discretisation::~Discretisation() = default;

@@ -4,9 +4,12 @@
 /// Nodes are the support points of FE_Q(degree); dof = 3 node + component. Total Lagrangian: gradients are
 /// taken once, in the reference configuration. SI units.
 #pragma once
+#include "fe_contact/engine/serendipity.h"
+#include "fe_contact/solver/equations.h"
 #include "meshes/hex_mesh.h"
 #include <array>
 #include <Eigen/Core>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -32,23 +35,29 @@ struct Face {
 
 class Discretisation {
 public:
-  /// degree 1 or 2; geometry is always the 27-node one.
-  Discretisation(const meshes::HexMesh &mesh, int degree);
+  /// Which cells are serendipity cells, [cell], of a discretisation that has none yet.
+  using CellChoice = std::function<std::vector<char>(const Discretisation &)>;
+  /// degree 1 or 2; geometry is always the 27-node one. `serendipity`: of degree 2, none without it.
+  Discretisation(const meshes::HexMesh &mesh, int degree, const CellChoice &serendipity = {});
   ~Discretisation();
   Discretisation(const Discretisation &) = delete;
 
   int degree, nodes_per_cell;
   std::size_t n_cells, n_nodes;
-  std::vector<Eigen::Vector3d> positions;      ///< of the nodes, reference configuration [m]
-  std::vector<unsigned> cell_nodes;            ///< [cell][local node]
-  std::vector<meshes::Volume> volumes;         ///< [cell]
-  std::vector<std::array<int, 3>> node_places; ///< of a cell's local nodes, in steps of 1 / degree along its axes
-  QuadratureData full, reduced;                ///< Gauss, degree + 1 and degree points a direction
-  std::vector<double> full_values;             ///< shape values at the full points, [point][local node]
+  std::vector<Eigen::Vector3d> positions;     ///< of the nodes, reference configuration [m]
+  std::vector<unsigned> cell_nodes;           ///< [cell][local node]
+  std::vector<meshes::Volume> volumes;        ///< [cell]
+  NodePlaces node_places;                     ///< of a cell's local nodes, in steps of 1 / degree along its axes
+  std::vector<InterpolatedNode> interpolated; ///< middles that serendipity cells do without
+  std::vector<char> is_interpolated;          ///< [node]
+  QuadratureData full, reduced;               ///< Gauss, degree + 1 and degree points a direction
+  /// Shape values at the full points, [point][local node]: of the geometry, and of displacements in cells of 27 nodes.
+  std::vector<double> full_values;
   /// What the reduced points have, carried on linearly to the full ones: weights, [full point][reduced point].
   std::vector<double> reduced_to_full;
   std::vector<Face> faces; ///< of all groups
 
+  std::vector<double> displacement_values(std::size_t cell) const; ///< full_values, of the cell's displacements
   std::size_t n_dofs() const { return 3 * n_nodes; }
   std::vector<const Face *> faces_of(meshes::Surface group) const;
   std::vector<unsigned> nodes_of(meshes::Surface group) const; ///< sorted, unique
@@ -66,6 +75,10 @@ public:
 private:
   void read_cells();
   void read_faces();
+  void leave_middles_out(const std::vector<char> &serendipity);
+  void keep_middles_off_their_edges();
+  bool keeps_a_face(std::size_t cell) const; ///< its middle, that is
+  SerendipityShapes shapes_of(std::size_t cell) const;
   struct DealII;
   std::unique_ptr<DealII> dealii_;
 };

@@ -88,6 +88,8 @@ const std::vector<int> &Solid::places_in(const SymmetricMatrix &matrix, const Eq
           places_[place] = matrix.find(std::min(own[i], own[j]), std::max(own[i], own[j]));
           if (places_[place] < 0) throw std::logic_error("a cell's entry outside the sparsity pattern");
         }
+    for (std::size_t dof = m; dof-- > 0;)
+      if (space_.is_interpolated[space_.cell_nodes[c * space_.nodes_per_cell + dof / 3]]) own.erase(own.begin() + dof);
     std::sort(own.begin(), own.end());
     plain_[c] = own.front() >= 0 && std::adjacent_find(own.begin(), own.end()) == own.end();
     for (std::size_t dof = 0; dof < m; ++dof) plain_[c] = plain_[c] && weight_of(c, dof, equations) == 1;
@@ -250,7 +252,8 @@ bool Solid::assemble_cells(const unsigned *begin, const unsigned *end, const Eig
     const double *value = kept_.block(c);
     const int *place = places->data() + c * (m * (m + 1) / 2);
     if (plain_[c]) {
-      for (int k = 0; k < m * (m + 1) / 2; ++k) tangent[place[k]] += value[k];
+      for (int k = 0; k < m * (m + 1) / 2; ++k)
+        if (place[k] >= 0) tangent[place[k]] += value[k];
       continue;
     }
     for (int row = 0; row < m; ++row)
@@ -338,12 +341,12 @@ SymmetricMatrix Solid::mass(std::span<const unsigned> cells, const Equations &eq
   SymmetricMatrix result(equations.n, couplings);
   for (const std::size_t c : cells) {
     const double density = law_of(c).density;
+    const std::vector<double> N = space_.displacement_values(c);
     for (int a = 0; a < n; ++a)
       for (int b = a; b < n; ++b) {
         double value = 0.0;
         for (int q = 0; q < n_points; ++q)
-          value += density * space_.full.weights[c * n_points + q] * space_.full_values[q * n + a] *
-                   space_.full_values[q * n + b];
+          value += density * space_.full.weights[c * n_points + q] * N[q * n + a] * N[q * n + b];
         for (int i = 0; i < 3; ++i) {
           const unsigned row = dof(c, a, i), column = dof(c, b, i);
           const int eq_row = equations.of_dof[row], eq_column = equations.of_dof[column];

@@ -125,7 +125,7 @@ private:
   // Assembly keeps what the next one can use, so that one solid is assembled by one caller at a time.
   /// Where each local pair (i <= j) of each cell goes in the matrix; made once per pattern.
   mutable std::vector<int> places_;
-  mutable std::vector<char> plain_; ///< cells whose dofs are equations each of their own, weight 1
+  mutable std::vector<char> plain_; ///< cells whose dofs are equations each of their own, weight 1, or interpolated
   mutable long places_of_ = 0;      ///< pattern_id
   mutable KeptTangents kept_;
   mutable std::vector<std::vector<double>>

@@ -1,5 +1,6 @@
 #include "fe_contact/engine/supports.h"
 
+#include <algorithm>
 #include <cmath>
 #include <Eigen/Geometry>
 #include <map>
@@ -46,6 +47,7 @@ void Supports::slide_on(meshes::Surface cuts) {
     for (const unsigned node : face->nodes) (about_axis ? kinds_of[node].about_axis : kinds_of[node].radial) = true;
   }
   for (const auto &[node, kinds] : kinds_of) {
+    if (space_.is_interpolated[node]) continue;
     int *of = &of_dof_[3 * node];
     if (of[0] == -1) continue;
     if (kinds.about_axis && (kinds.radial || of[1] == -1)) {
@@ -68,12 +70,14 @@ int Supports::add_body() {
 }
 
 Equations Supports::number() {
+  for (const InterpolatedNode &middle : space_.interpolated) std::fill_n(&of_dof_[std::size_t(3) * middle.node], 3, -1);
   for (int &equation : of_dof_)
     if (equation == unnumbered) equation = n_++;
   Equations result;
   result.of_dof = of_dof_;
   result.weight = weight_;
   result.n = n_;
+  result.interpolated = space_.interpolated;
   return result;
 }
 

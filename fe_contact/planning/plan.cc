@@ -16,7 +16,7 @@ namespace rimpact::planning {
 namespace {
 
 /// Measured on two cores, half models of the default bearing (docs/results/refinement.md, studies.md), by mesh.
-constexpr MeshCost costs[4] = {{5600, 0.08, 0.25e9}, {12200, 0.17, 0.35e9}, {39400, 1.0, 0.8e9}, {99800, 4.0, 2.0e9}};
+constexpr MeshCost costs[4] = {{5200, 0.08, 0.25e9}, {11000, 0.17, 0.35e9}, {34000, 1.0, 0.8e9}, {89000, 4.0, 2.0e9}};
 constexpr double usual_step = 4e-4; // mean of what the error control takes in contact [s]: a shorter bound adds steps
 
 } // namespace

@@ -9,20 +9,21 @@
 namespace rimpact::planning {
 namespace {
 
-/// Measured (docs/results/refinement.md), by mesh: the stack; what a meshed sector of the rim adds while it takes part.
-constexpr MeshCost stack[4] = {{8000, 0.1, 0.4e9}, {18900, 0.25, 0.7e9}, {59000, 1.2, 2.0e9}, {167000, 6.0, 6.5e9}};
-constexpr MeshCost sector[4] = {{2000, 0.05, 0.15e9}, {4800, 0.12, 0.3e9}, {24000, 0.6, 0.8e9}, {70000, 3.0, 2.5e9}};
+/// Unknowns counted, seconds and memory measured (docs/results/refinement.md), by mesh: the stack; what a meshed sector
+/// of the rim adds while it takes part.
+constexpr MeshCost stack[4] = {{6800, 0.1, 0.4e9}, {12500, 0.25, 0.7e9}, {36300, 1.2, 2.0e9}, {93400, 6.0, 6.5e9}};
+constexpr MeshCost sector[4] = {{1900, 0.05, 0.15e9}, {5000, 0.12, 0.3e9}, {16500, 0.6, 0.8e9}, {55000, 3.0, 2.5e9}};
 
 /// What each further sector adds all the time, mostly the slider's own fine cells on that side.
-constexpr MeshCost further[4] = {{6900, 0.07, 0.2e9}, {14000, 0.15, 0.5e9}, {43000, 0.8, 1.5e9}, {125000, 4.0, 4.5e9}};
+constexpr MeshCost further[4] = {{5400, 0.07, 0.2e9}, {11400, 0.15, 0.5e9}, {34000, 0.8, 1.5e9}, {100000, 4.0, 4.5e9}};
 
 /// Between two dishes (dcfp-155; meshes 2 and 3 by their unknowns): half the slider; a sector, which the slider is fine
 /// for on both sides.
-constexpr MeshCost slider[4] = {{6500, 0.06, 0.3e9}, {13400, 0.2, 1.2e9}, {19900, 0.4, 2.0e9}, {48900, 1.5, 6.0e9}};
-constexpr MeshCost beside[4] = {{1100, 0.04, 0.2e9}, {2700, 0.07, 0.4e9}, {5300, 0.2, 0.7e9}, {18800, 0.6, 2.0e9}};
+constexpr MeshCost slider[4] = {{5800, 0.06, 0.3e9}, {11200, 0.2, 1.2e9}, {16800, 0.4, 2.0e9}, {40300, 1.5, 6.0e9}};
+constexpr MeshCost beside[4] = {{900, 0.04, 0.2e9}, {2200, 0.07, 0.4e9}, {4700, 0.2, 0.7e9}, {17000, 0.6, 2.0e9}};
 
 /// The whole plate, solid all the time (rung full).
-constexpr MeshCost plate[4] = {{8000, 0.25, 0.4e9}, {20000, 0.6, 0.9e9}, {90000, 3.0, 3.5e9}, {270000, 15.0, 11e9}};
+constexpr MeshCost plate[4] = {{5500, 0.25, 0.4e9}, {15500, 0.6, 0.9e9}, {45000, 3.0, 3.5e9}, {145000, 15.0, 11e9}};
 
 void add_cost(Plan &plan, const scene::Bearing &bearing, double iterations, double iterations_with_rim, int sectors) {
   constexpr double whole_over_half = 3;

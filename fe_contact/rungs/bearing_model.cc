@@ -1,6 +1,7 @@
 #include "fe_contact/rungs/bearing_model.h"
 
 #include "fe_contact/rungs/middle_plane.h"
+#include "fe_contact/rungs/serendipity_cells.h"
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -28,7 +29,9 @@ Supports supports_of(const BearingModel &model, RimState rim) {
 
 BearingModel::BearingModel(const Rung &rung, const scene::Bearing &bearing, const meshes::MeshOrder &mesh,
                            const ModelOptions &options)
-    : rung(rung), bearing(bearing), mesh(mesh), options(options), space(rung.mesh(bearing, mesh), options.degree),
+    : rung(rung), bearing(bearing), mesh(mesh), options(options),
+      space(rung.mesh(bearing, mesh), options.degree,
+            [&](const Discretisation &whole) { return serendipity_cells(whole, bearing); }),
       solid(space, bearing, options.pad_retardation), foot(space, solid, bearing, mesh.half),
       rate_ratio(turns() ? bearing.dishes() : RimFrame::of(bearing, 0, 0, false).rate_ratio()) {}
 

@@ -33,7 +33,6 @@ void set_values(Vec vector, const Eigen::VectorXd &from) {
 
 struct FlexibleGmres::Petsc {
   Operator matrix, preconditioner;
-  bool by_all_ranks;
   void *usual_test = nullptr;
   Mat shell = nullptr;
   KSP ksp = nullptr;
@@ -53,13 +52,12 @@ struct FlexibleGmres::Petsc {
   }
   static PetscErrorCode test(KSP ksp, PetscInt iteration, PetscReal residual, KSPConvergedReason *reason, void *data) {
     const auto *self = static_cast<const Petsc *>(data);
-    return KSPConvergedDefault(ksp, iteration, self->by_all_ranks ? ranks().broadcast(residual) : residual, reason,
-                               self->usual_test);
+    return KSPConvergedDefault(ksp, iteration, ranks().broadcast(residual), reason, self->usual_test);
   }
 };
 
-FlexibleGmres::FlexibleGmres(int n, Operator matrix, Operator preconditioner, bool by_all_ranks)
-    : petsc_(std::make_unique<Petsc>(Petsc{std::move(matrix), std::move(preconditioner), by_all_ranks})) {
+FlexibleGmres::FlexibleGmres(int n, Operator matrix, Operator preconditioner)
+    : petsc_(std::make_unique<Petsc>(Petsc{std::move(matrix), std::move(preconditioner)})) {
   auto &p = *petsc_;
   check(MatCreateShell(PETSC_COMM_SELF, n, n, n, n, &p, &p.shell));
   check(MatShellSetOperation(p.shell, MATOP_MULT, reinterpret_cast<void (*)()>(Petsc::multiply)));
@@ -98,7 +96,7 @@ Eigen::VectorXd FlexibleGmres::solve(const Eigen::VectorXd &right_side, double r
   last_iterations_ = iterations;
   if (reason < 0) return {};
   Eigen::VectorXd result = values_of(p.x);
-  if (p.by_all_ranks) ranks().broadcast(result);
+  ranks().broadcast(result);
   return result;
 }
 

@@ -9,13 +9,12 @@ LinearSolver::LinearSolver(const SymmetricMatrix &symmetric, const GeneralMatrix
     : symmetric_(symmetric), unsymmetric_(unsymmetric),
       gmres_(
           symmetric.n(), [this](const Eigen::VectorXd &x) { return multiply(x); },
-          [this](const Eigen::VectorXd &x) { return factor_->solve(x); }, unsymmetric && ranks().size > 1),
+          [this](const Eigen::VectorXd &x) { return factor_->solve(x); }),
       times_(times) {}
 
 Eigen::VectorXd LinearSolver::multiply(const Eigen::VectorXd &x) const {
   Eigen::VectorXd result = symmetric_.multiply(x);
-  if (!unsymmetric_) return result;
-  unsymmetric_->add_product(x, result);
+  if (unsymmetric_) unsymmetric_->add_product(x, result);
   ranks().all_reduce_sum(result);
   return result;
 }
@@ -49,7 +48,7 @@ bool LinearSolver::factorise() {
       pattern.rows.push_back(row);
       pattern.columns.push_back(column);
     });
-    factor_ = mumps_factor(precision_, pattern, unsymmetric_ && ranks().size > 1);
+    factor_ = mumps_factor(precision_, pattern);
   }
   values_.clear();
   for_each_entry(symmetric_, unsymmetric_, [&](int, int, double value) { values_.push_back(value); });

@@ -15,8 +15,8 @@ using TimeSplit = std::map<std::string, double>; ///< [s]: search, assembly, fac
 
 class LinearSolver {
 public:
-  /// The matrix is the sum of both parts, and with an unsymmetric part the sum over all ranks. Without one (null) it is
-  /// symmetric, and each rank has its own. Keeps references.
+  /// The matrix is the sum of both parts, and the sum over all ranks. Without an unsymmetric part (null) it is
+  /// symmetric. Keeps references.
   LinearSolver(const SymmetricMatrix &symmetric, const GeneralMatrix *unsymmetric, TimeSplit &times);
   LinearSolver(const LinearSolver &) = delete; // GMRES calls this object
   LinearSolver &operator=(const LinearSolver &) = delete;

@@ -32,12 +32,11 @@ struct Double {
 
 template <class Kind> class Factor : public MumpsFactor {
 public:
-  Factor(const MatrixPattern &pattern, bool by_all_ranks)
-      : by_all_ranks_(by_all_ranks), rows_(pattern.rows), columns_(pattern.columns), values_(rows_.size()),
-        x_(pattern.n) {
+  explicit Factor(const MatrixPattern &pattern)
+      : rows_(pattern.rows), columns_(pattern.columns), values_(rows_.size()), x_(pattern.n) {
     for (int &row : rows_) ++row; // MUMPS counts from 1
     for (int &column : columns_) ++column;
-    data_.comm_fortran = MPI_Comm_c2f(by_all_ranks ? MPI_COMM_WORLD : MPI_COMM_SELF);
+    data_.comm_fortran = MPI_Comm_c2f(shared_ ? MPI_COMM_WORLD : MPI_COMM_SELF);
     data_.par = 1;
     data_.sym = pattern.symmetric ? Kind::symmetric : 0;
     run(-1);
@@ -45,8 +44,9 @@ public:
     control(4) = 0; // nothing printed
     control(7) = 5; // METIS ordering
     control(8) = Kind::scaling;
-    control(14) = 50; // room for pivoting [%]
-    control(28) = 1;  // one rank orders
+    if (data_.sym == diagonal_pivots) control(13) = 1; // no ScaLAPACK, whose root would have to be positive definite
+    control(14) = 50;                                  // room for pivoting [%]
+    control(28) = 1;                                   // one rank orders
     data_.n = pattern.n;
     data_.rhs = x_.data();
     hand_in();
@@ -72,7 +72,7 @@ public:
     run(3); // the first rank has the solution
     Eigen::VectorXd x(right_side.size());
     std::copy(x_.begin(), x_.end(), x.begin());
-    if (by_all_ranks_) ranks().broadcast(x);
+    if (shared_) ranks().broadcast(x);
     return x;
   }
 
@@ -86,7 +86,7 @@ private:
   /// One rank alone hands in all entries at once, which spares MUMPS a tenth of its work; else each its own.
   void hand_in() {
     const auto n_entries = static_cast<MUMPS_INT8>(rows_.size());
-    if (by_all_ranks_) {
+    if (shared_) {
       control(18) = 3;
       data_.nnz_loc = n_entries;
       data_.irn_loc = rows_.data(), data_.jcn_loc = columns_.data(), data_.a_loc = values_.data();
@@ -105,7 +105,7 @@ private:
     data_.job = job;
     Kind::call(data_);
   }
-  bool by_all_ranks_;
+  const bool shared_ = ranks().size > 1; ///< for its life
   typename Kind::Data data_{};
   bool analysed_ = false;
   std::vector<int> rows_, columns_;
@@ -114,9 +114,9 @@ private:
 
 } // namespace
 
-std::unique_ptr<MumpsFactor> mumps_factor(Precision precision, const MatrixPattern &pattern, bool by_all_ranks) {
-  if (precision == Precision::single_) return std::make_unique<Factor<Single>>(pattern, by_all_ranks);
-  return std::make_unique<Factor<Double>>(pattern, by_all_ranks);
+std::unique_ptr<MumpsFactor> mumps_factor(Precision precision, const MatrixPattern &pattern) {
+  if (precision == Precision::single_) return std::make_unique<Factor<Single>>(pattern);
+  return std::make_unique<Factor<Double>>(pattern);
 }
 
 } // namespace rimpact::fe

@@ -1,5 +1,5 @@
-/// A sparse factor by MUMPS, L D L^T of a symmetric matrix or L U of an unsymmetric one, made by one rank or by all of
-/// them together. As the preconditioner of an iteration in double precision a factor in single precision does as well:
+/// A sparse factor by MUMPS, L D L^T of a symmetric matrix or L U of an unsymmetric one, made by all
+/// ranks together. As the preconditioner of an iteration in double precision a factor in single precision does as well:
 /// half the memory, and half of what moves when it is made and solved with.
 #pragma once
 #include <Eigen/Core>
@@ -33,6 +33,6 @@ public:
 };
 
 enum class Precision { single_, double_ };
-std::unique_ptr<MumpsFactor> mumps_factor(Precision precision, const MatrixPattern &pattern, bool by_all_ranks);
+std::unique_ptr<MumpsFactor> mumps_factor(Precision precision, const MatrixPattern &pattern);
 
 } // namespace rimpact::fe

@@ -39,7 +39,7 @@ class Ranks(unittest.TestCase):
     def alike(self, words, bound):
         with tempfile.TemporaryDirectory() as folder:
             one, two = os.path.join(folder, "one"), os.path.join(folder, "two")
-            self.assertEqual(rimpact(*words, "-o", one).returncode, 0)
+            self.assertEqual(rimpact(*words, "--ranks", "1", "-o", one).returncode, 0)
             run = on_two_ranks(*words, "-o", two)
             self.assertEqual(run.returncode, 0, run.stderr)
             self.assertEqual(run.stdout.count("impact-window"), 1, "the first rank alone speaks")

@@ -72,7 +72,7 @@ class RankSignals(unittest.TestCase):
         long, none = ["ricker-0.78g-1.0s", "--rung", "rigid-dish"], {}
         self.environment.pop("RIMPACT_THREADS", None)
         free = self.environment
-        for scene, threads, n in ((long, none, 2), ([*long, "--ranks", "1"], none, 1), ([*long, "--mesh", "0"], none, 1), (["ricker-0.78g-1.0s"], none, 1),
+        for scene, threads, n in ((long, none, 2), ([*long, "--ranks", "1"], none, 1), ([*long, "--mesh", "0"], none, 1), (["ricker-0.78g-1.0s"], none, 2),
                                   ([*long, "--dry-run"], none, 1), (long, {"RIMPACT_THREADS": "1"}, 1)):
             with self.subTest(" ".join(scene), **threads), tempfile.TemporaryDirectory() as folder:
                 self.environment, self.folder = {**free, **threads}, pathlib.Path(folder)

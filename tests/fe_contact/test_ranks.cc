@@ -32,8 +32,8 @@ template <class Solve> auto on_one_rank(const Solve &solve) {
   return solve();
 }
 
-SystemState dragged() {
-  Block block(FrictionCoefficient{0.3, 0.2, 50});
+SystemState dragged(const FrictionCoefficient &friction) {
+  Block block(friction);
   SystemState state = block.system->at_rest();
   StepOptions options;
   options.newton.tolerance = 1e-10;
@@ -72,9 +72,43 @@ TEST(Ranks, SolveTheSumOfTheirMatrices) {
 }
 
 TEST(Ranks, StickAndSlipAreThoseOfOneRank) {
-  const SystemState alone = on_one_rank(dragged);
+  const auto rough = [] { return dragged(FrictionCoefficient{0.3, 0.2, 50}); };
+  const SystemState alone = on_one_rank(rough);
   EXPECT_GT(alone.reports[0].slip, 0);
-  expect_close(alone, dragged(), 1e-8);
+  expect_close(alone, rough(), 1e-8);
+}
+
+TEST(Ranks, ASmoothContactIsThatOfOneRank) {
+  const auto smooth = [] { return dragged(FrictionCoefficient{}); };
+  const SystemState alone = on_one_rank(smooth);
+  EXPECT_GT(alone.reports[0].force.z(), 1e3);
+  expect_close(alone, smooth(), 1e-8);
+}
+
+/// Springs between neighbours, shared out, and a force that couples the ends: with `indefinite` neither triangle nor
+/// diagonal allows pivots from the diagonal, so that the factor is made in double precision.
+void solve_symmetric(bool indefinite) {
+  constexpr int n = 60;
+  Couplings own;
+  for (int i = ranks().own; i + 1 < n; i += ranks().size) own.push_back({i, i + 1});
+  SymmetricMatrix springs(n, own);
+  Eigen::MatrixXd whole = Eigen::MatrixXd::Zero(n, n);
+  const double diagonal = indefinite ? 0 : 2;
+  for (int i = 0; i + 1 < n; ++i) {
+    if (i % ranks().size == ranks().own)
+      for (const auto [row, column, value] : {std::tuple(i, i, diagonal), {i + 1, i + 1, diagonal}, {i, i + 1, -1.0}})
+        springs.add(row, column, value);
+    whole.block<2, 2>(i, i) += (Eigen::Matrix2d() << diagonal, -1, -1, diagonal).finished();
+  }
+  TimeSplit times;
+  LinearSolver solver(springs, nullptr, times);
+  const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(n, -1, 2), x = solver.solve_anew(b, 1e-12, 30);
+  ASSERT_EQ(x.size(), n) << indefinite;
+  EXPECT_LT((whole * x - b).norm(), 1e-10 * b.norm());
+}
+
+TEST(Ranks, SolveTheSumOfTheirSymmetricMatrices) {
+  for (const bool indefinite : {false, true}) solve_symmetric(indefinite);
 }
 
 /// Ten steps of one deformable block over another, whose faces do not match.
