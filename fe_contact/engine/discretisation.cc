@@ -180,7 +180,6 @@ bool Discretisation::keeps_a_face(std::size_t cell) const {
 /// A cell that turns as it is has no strain only where the geometry, too, is what the nodes around a middle make of it.
 void Discretisation::keep_middles_off_their_edges() {
   constexpr double allowed = 1e-3; // of the cell's size
-  const std::vector<char> asked = is_interpolated;
   std::array<bool, 27> middles;
   for (int a = 0; a < 27; ++a) middles[a] = middles_of(node_places[a]) >= 2;
   const SerendipityShapes shapes(node_places, middles);
@@ -189,7 +188,7 @@ void Discretisation::keep_middles_off_their_edges() {
     double size = 0;
     for (int a = 0; a < 27; ++a) size = std::max(size, (positions[nodes[a]] - positions[nodes[0]]).norm());
     for (int a = 0; a < 27; ++a) {
-      if (!asked[nodes[a]]) continue;
+      if (!is_interpolated[nodes[a]]) continue;
       Eigen::Vector3d off = positions[nodes[a]];
       for (const auto &[other, weight] : shapes.weights(a)) off -= weight * positions[nodes[other]];
       if (off.norm() > allowed * size) is_interpolated[nodes[a]] = 0;

@@ -3,22 +3,19 @@
 namespace rimpact::fe {
 namespace {
 
-/// The cell's middle of a field without the bubble of 27 nodes: faces, edges and corners around it.
-double weight_in_cell(int middles) {
-  constexpr std::array of_corner_edge_face{1.0 / 8, -1.0 / 4, 1.0 / 2};
-  return of_corner_edge_face[middles];
+/// What the middle of a face or of a cell takes of a node around it, by middles_of() of both, where the field has no
+/// bubble there.
+double weight(int of_middle, int of_node) {
+  constexpr std::array in_face{-1.0 / 4, 1.0 / 2};
+  constexpr std::array in_cell{1.0 / 8, -1.0 / 4, 1.0 / 2};
+  return of_middle == 2 ? in_face.at(of_node) : in_cell.at(of_node);
 }
 
-/// A face's middle of a field without its bubble: edges and corners around it.
-double weight_in_face(int middles) {
-  constexpr std::array of_corner_edge{-1.0 / 4, 1.0 / 2};
-  return of_corner_edge[middles];
-}
-
-bool on_face_of(const std::array<int, 3> &face_middle, const std::array<int, 3> &place) {
+/// Whether a node is on the face of that middle, or in the cell of that one.
+bool is_around(const std::array<int, 3> &middle, const std::array<int, 3> &place) {
   for (int i = 0; i < 3; ++i)
-    if (face_middle[i] != 1 && place[i] != face_middle[i]) return false;
-  return place != face_middle;
+    if (middle[i] != 1 && place[i] != middle[i]) return false;
+  return place != middle;
 }
 
 } // namespace
@@ -33,10 +30,7 @@ SerendipityShapes::SerendipityShapes(const NodePlaces &places, const std::array<
       if (!left_out[a] || middles_of(places[a]) != kind) continue;
       Step step{a, {}};
       for (int b = 0; b < 27; ++b)
-        if (const int middles = middles_of(places[b]); kind == 3 && b != a)
-          step.to.emplace_back(b, weight_in_cell(middles));
-        else if (kind == 2 && on_face_of(places[a], places[b]))
-          step.to.emplace_back(b, weight_in_face(middles));
+        if (is_around(places[a], places[b])) step.to.emplace_back(b, weight(kind, middles_of(places[b])));
       steps_.push_back(std::move(step));
     }
 }

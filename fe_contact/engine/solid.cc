@@ -80,7 +80,7 @@ const std::vector<int> &Solid::places_in(const SymmetricMatrix &matrix, const Eq
   places_.assign(space_.n_cells * pairs, -1); // of what is held, and of other ranks' cells
   plain_.assign(space_.n_cells, 0);
   for (const unsigned c : own_cells(equations)) {
-    std::vector<int> own = equations_of(c, equations);
+    const std::vector<int> own = equations_of(c, equations);
     std::size_t place = c * pairs;
     for (std::size_t i = 0; i < m; ++i)
       for (std::size_t j = i; j < m; ++j, ++place)
@@ -88,10 +88,12 @@ const std::vector<int> &Solid::places_in(const SymmetricMatrix &matrix, const Eq
           places_[place] = matrix.find(std::min(own[i], own[j]), std::max(own[i], own[j]));
           if (places_[place] < 0) throw std::logic_error("a cell's entry outside the sparsity pattern");
         }
-    for (std::size_t dof = m; dof-- > 0;)
-      if (space_.is_interpolated[space_.cell_nodes[c * space_.nodes_per_cell + dof / 3]]) own.erase(own.begin() + dof);
-    std::sort(own.begin(), own.end());
-    plain_[c] = own.front() >= 0 && std::adjacent_find(own.begin(), own.end()) == own.end();
+    std::vector<int> of_shapes;
+    for (std::size_t dof = 0; dof < m; ++dof)
+      if (!space_.is_interpolated[space_.cell_nodes[c * space_.nodes_per_cell + dof / 3]])
+        of_shapes.push_back(own[dof]);
+    std::sort(of_shapes.begin(), of_shapes.end());
+    plain_[c] = of_shapes.front() >= 0 && std::adjacent_find(of_shapes.begin(), of_shapes.end()) == of_shapes.end();
     for (std::size_t dof = 0; dof < m; ++dof) plain_[c] = plain_[c] && weight_of(c, dof, equations) == 1;
   }
   places_of_ = matrix.pattern_id();

@@ -1,7 +1,7 @@
 /// PETSc's flexible GMRES in double precision on whole vectors. Flexible, because a preconditioner in single precision
 /// rounds every vector anew: what it made of each is kept and combined, and the residual that decides is the true one.
-/// Several ranks do the same together: the first one's residual decides for all, and all take its solution, for
-/// their processors may round differently.
+/// Several ranks do the same together: the first one's residual decides for all, and all take its solution, for their
+/// processors may round differently.
 #pragma once
 #include <Eigen/Core>
 #include <functional>

@@ -1,6 +1,6 @@
-/// A sparse factor by MUMPS, L D L^T of a symmetric matrix or L U of an unsymmetric one, made by all
-/// ranks together. As the preconditioner of an iteration in double precision a factor in single precision does as well:
-/// half the memory, and half of what moves when it is made and solved with.
+/// A sparse factor by MUMPS, L D L^T of a symmetric matrix or L U of an unsymmetric one, made by all ranks
+/// together. As the preconditioner of an iteration in double precision a factor in single precision does as well: half
+/// the memory, and half of what moves when it is made and solved with.
 #pragma once
 #include <Eigen/Core>
 #include <memory>
